@@ -1,0 +1,217 @@
+/*===-- anysl/abi.h - what a compiled shader library and a renderer agree on -------------*- C -*-===
+ *
+ * Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+ * SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+ *
+ *===--------------------------------------------------------------------------------------------===
+ *
+ * The binary interface between three programs that never see each other's sources: the shader library
+ * (written by anysl-link), the runtime inside it (compiled by clang from runtimes/), and the renderer.
+ * Plain C99 data, no functions. A renderer normally includes <anysl/anysl.h>, whose loader checks all
+ * of this; a runtime includes it through <anysl/runtime.h>.
+ *
+ *===--------------------------------------------------------------------------------------------===*/
+
+#ifndef ANYSL_ABI_H
+#define ANYSL_ABI_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Changes when any structure below does; a library of another version is refused. */
+#define ANYSL_ABI_VERSION 1
+/** The first field of AnyslLibraryInfo: "AnSL" read as a little-endian number. */
+#define ANYSL_MAGIC 0x4c536e41u
+/** The one symbol that a shader library exports, an AnyslLibraryInfo. */
+#define ANYSL_LIBRARY_SYMBOL "anysl_library"
+
+/** The shader globals, by the names of Globals.def: ANYSL_P, ANYSL_N, ... */
+typedef enum AnyslGlobal {
+#define ANYSL_GLOBAL(id, name, type, components, storage, doc) ANYSL_##name = id,
+#include <anysl/Globals.def>
+  ANYSL_GLOBAL_COUNT
+} AnyslGlobal;
+
+/** Where each global's first component lies among all components: ANYSL_COMPONENT_P = 0, ..._N = 3 */
+enum {
+  ANYSL_COMPONENT_START = -1,
+#define ANYSL_GLOBAL(id, name, type, components, storage, doc)                                     \
+  ANYSL_COMPONENT_##name, ANYSL_COMPONENT_LAST_##name = ANYSL_COMPONENT_##name + (components) - 1,
+#include <anysl/Globals.def>
+  ANYSL_COMPONENT_COUNT
+};
+
+typedef enum AnyslType {
+  ANYSL_FLOAT = 1,
+  ANYSL_COLOR,
+  ANYSL_POINT,
+  ANYSL_VECTOR,
+  ANYSL_NORMAL,
+  ANYSL_MATRIX,
+  ANYSL_STRING
+} AnyslType;
+
+typedef enum AnyslShaderKind {
+  ANYSL_SURFACE = 1,
+  ANYSL_DISPLACEMENT,
+  ANYSL_LIGHT,
+  ANYSL_VOLUME,
+  ANYSL_IMAGER
+} AnyslShaderKind;
+
+/** How a runtime finds the globals of a point. */
+typedef enum AnyslLayout {
+  /** globals[component] points to one array per component (structure of arrays). */
+  ANYSL_LAYOUT_SOA = 1,
+  /** globals[0] points to an array of points, each ANYSL_COMPONENT_COUNT reals (array of structures). */
+  ANYSL_LAYOUT_AOS
+} AnyslLayout;
+
+/** The number format of a batch's arrays. */
+typedef enum AnyslReal { ANYSL_REAL_FLOAT = 1, ANYSL_REAL_DOUBLE } AnyslReal;
+
+/** One component of a uniform parameter: a number (whatever the library's real), or text. */
+typedef union AnyslCell {
+  double number;
+  const char *string;
+} AnyslCell;
+
+typedef enum AnyslLightKind { ANYSL_LIGHT_DISTANT = 1, ANYSL_LIGHT_POINT, ANYSL_LIGHT_SPOT } AnyslLightKind;
+
+enum {
+  ANYSL_LIGHT_CASTS_SHADOW = 1,
+  ANYSL_LIGHT_NONDIFFUSE = 2,
+  ANYSL_LIGHT_NONSPECULAR = 4
+};
+
+/** A light that is not ambient, in the shaders' ("current") space. */
+typedef struct AnyslLight {
+  uint32_t kind;      /**< AnyslLightKind */
+  uint32_t flags;     /**< ANYSL_LIGHT_... */
+  float color[3];     /**< light colour times intensity */
+  float from[3];      /**< position (point, spot) */
+  float direction[3]; /**< unit vector in which the light travels (distant, spot) */
+  float cos_outer;    /**< spot: no light where the angle's cosine is below this */
+  float cos_inner;    /**< spot: full light where it is above this */
+  float beam;         /**< spot: exponent of the cosine */
+} AnyslLight;
+
+struct AnyslShadeArgs;
+
+/**
+ * What a renderer does for its shaders. A null function is one that the renderer does not offer; asking
+ * for it gives the stated neutral value. Every function may be called by many threads at once.
+ *
+ * The packet forms serve `width` consecutive points from `first` at once; bit i of `mask` says that point
+ * first + i asks. Vectors lie as x[width] y[width] z[width]; results of points that do not ask are ignored.
+ */
+typedef struct AnyslServices {
+  uint32_t struct_size;
+  /** The light arriving at P from direction R (need not be of unit length). Neutral: black. */
+  void (*trace)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, const double P[3],
+                const double R[3], double color[3]);
+  void (*trace_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                       uint32_t mask, const float *P, const float *R, float *color);
+  /** The distance from P to the first surface in direction R. Neutral: 1e30. */
+  double (*trace_distance)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                           const double P[3], const double R[3]);
+  void (*trace_distance_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
+                                uint32_t width, uint32_t mask, const float *P, const float *R,
+                                float *distance);
+  /** How much light passes from one point to another. Neutral: all of it (1). */
+  void (*transmission)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                       const double from[3], const double to[3], double color[3]);
+  void (*transmission_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
+                              uint32_t width, uint32_t mask, const float *from, const float *to,
+                              float *color);
+  /** The matrix (row by row, for row vectors) between named coordinate systems; returns 0 and leaves
+      the matrix alone where a name is unknown. Neutral: identity. */
+  int (*space_matrix)(void *renderer, const struct AnyslShadeArgs *args, const char *from, const char *to,
+                      double matrix[16]);
+} AnyslServices;
+
+/** A batch of points that share one set of parameters. The host fills it; shaders change only outputs. */
+typedef struct AnyslShadeArgs {
+  uint32_t struct_size;
+  uint32_t count;                 /**< points in the arrays; they are readable and writable up to a
+                                       multiple of 16 points */
+  AnyslCell *params;              /**< AnyslShaderInfo::cell_count cells */
+  const uint8_t *param_is_set;    /**< one byte a parameter: given by the host, or to be its default */
+  void *const *param_data;        /**< one pointer a parameter, or null: its values point by point, laid
+                                       out as the globals are (SoA: component-major with stride
+                                       `data_stride` points); null pointer where it has none */
+  void *const *globals;           /**< as AnyslLayout says; only those the shader names need be there.
+                                       Uniform globals: SoA one value, AoS taken from each point */
+  size_t data_stride;             /**< SoA: reals from one component to the next in param_data */
+  const uint32_t *seeds;          /**< start of each point's random sequence; null: the point's number */
+  const AnyslServices *services;  /**< never null */
+  void *renderer;                 /**< handed back to every service */
+  void *batch;                    /**< the renderer's own, untouched */
+  const AnyslLight *lights;       /**< the lights that shine on this batch */
+  uint32_t light_count;
+  float ambient[3];               /**< sum of the ambient lights */
+} AnyslShadeArgs;
+
+/** Shades points [first, last). Thread safe as long as batches differ. */
+typedef void (*AnyslShadeFunction)(const AnyslShadeArgs *args, uint32_t first, uint32_t last);
+
+enum { ANYSL_PARAM_VARYING = 1, ANYSL_PARAM_OUTPUT = 2, ANYSL_PARAM_FIXED = 4 /**< given to anysl-link */ };
+
+typedef struct AnyslParamInfo {
+  const char *name;
+  uint32_t type;         /**< AnyslType */
+  uint32_t flags;        /**< ANYSL_PARAM_... */
+  uint32_t array_length; /**< 0: not an array */
+  uint32_t first_cell;   /**< in AnyslShadeArgs::params */
+} AnyslParamInfo;
+
+typedef struct AnyslEntryInfo {
+  uint32_t width; /**< points at once: 1, 4, 8, 16 */
+  AnyslShadeFunction shade;
+} AnyslEntryInfo;
+
+typedef struct AnyslShaderInfo {
+  const char *name;
+  uint32_t kind; /**< AnyslShaderKind */
+  uint32_t param_count;
+  const AnyslParamInfo *params;
+  uint32_t cell_count;
+  uint32_t entry_count;
+  const AnyslEntryInfo *entries;
+  uint64_t globals_read;    /**< bit ANYSL_P is set if the shader reads P, and so on */
+  uint64_t globals_written;
+  uint32_t services;        /**< bit i: service i of lib/STC/Services.def is asked for */
+  uint32_t effects;         /**< bit i: effect i of lib/STC/Effects.def is there */
+  /** Computes the defaults of the parameters that param_is_set does not name, into params. */
+  void (*init)(const AnyslShadeArgs *args);
+} AnyslShaderInfo;
+
+typedef struct AnyslLibraryInfo {
+  uint32_t magic;
+  uint32_t abi_version;
+  uint32_t struct_size;
+  uint32_t layout;          /**< AnyslLayout */
+  uint32_t real;            /**< AnyslReal of the batch's arrays */
+  uint32_t global_count;    /**< ANYSL_GLOBAL_COUNT when the library was made */
+  uint32_t component_count; /**< ANYSL_COMPONENT_COUNT likewise */
+  uint32_t shade_args_size; /**< sizeof(AnyslShadeArgs) likewise */
+  uint32_t services_size;   /**< sizeof(AnyslServices) likewise */
+  uint32_t shader_count;
+  const AnyslShaderInfo *shaders;
+  const char *producer;     /**< "AnySL 0.1.0" */
+  const char *runtime;      /**< "packet" */
+  const char *real_name;    /**< "float" */
+  const char *math;         /**< "u10" */
+  const char *target_cpu;   /**< as LLVM names it */
+  const char *cpu_features; /**< what the code needs, comma-separated x86 names: "avx2,fma" */
+} AnyslLibraryInfo;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
