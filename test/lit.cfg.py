@@ -1,0 +1,33 @@
+# How the lit tests of this tree run; the site file that CMake writes says where the build lies.
+
+import os
+import lit.formats
+
+config.name = "AnySL"
+config.test_format = lit.formats.ShTest(execute_external=True)
+config.suffixes = [".sl", ".ll", ".c", ".cpp", ".rib", ".test"]
+config.excludes = ["Inputs", "unit", "CMakeLists.txt"]
+config.test_source_root = os.path.join(config.anysl_source_dir, "test")
+config.test_exec_root = os.path.join(config.anysl_build_dir, "test")
+
+tools = os.path.join(config.anysl_build_dir, "bin")
+config.environment["PATH"] = os.pathsep.join([tools, config.anysl_llvm_bin, os.environ["PATH"]])
+# Compiled shaders of one run must not serve the next.
+config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cache")
+
+config.substitutions += [
+    ("%plugin", os.path.join(config.anysl_build_dir, "lib", "libanysl-vectorize.so")),
+    ("%examples", os.path.join(config.anysl_source_dir, "examples")),
+    ("%anysl_include", "-I%s/include -I%s/include" % (config.anysl_source_dir, config.anysl_build_dir)),
+    ("%tools_dir", tools),
+    ("%lib_dir", os.path.join(config.anysl_build_dir, "lib")),
+    ("%source_dir", config.anysl_source_dir),
+]
+
+if config.anysl_sanitize:
+    config.available_features.add("sanitizer")
+with open("/proc/cpuinfo") as cpuinfo:
+    flags = set(next((line for line in cpuinfo if line.startswith("flags")), "").split())
+for feature, needed in {"avx2": {"avx2", "fma"}, "avx512": {"avx512f", "avx512dq", "avx512vl", "avx512bw"}}.items():
+    if needed <= flags:
+        config.available_features.add(feature)
