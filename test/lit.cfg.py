@@ -6,7 +6,7 @@ import lit.formats
 config.name = "AnySL"
 config.test_format = lit.formats.ShTest(execute_external=True)
 config.suffixes = [".sl", ".ll", ".c", ".cpp", ".rib", ".test"]
-config.excludes = ["Inputs", "unit", "CMakeLists.txt"]
+config.excludes = ["Inputs"]
 config.test_source_root = os.path.join(config.anysl_source_dir, "test")
 config.test_exec_root = os.path.join(config.anysl_build_dir, "test")
 
