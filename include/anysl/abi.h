@@ -141,12 +141,15 @@ typedef struct AnyslShadeArgs {
                                        multiple of 16 points */
   AnyslCell *params;              /**< AnyslShaderInfo::cell_count cells */
   const uint8_t *param_is_set;    /**< one byte a parameter: given by the host, or to be its default */
-  void *const *param_data;        /**< one pointer a parameter, or null: its values point by point, laid
-                                       out as the globals are (SoA: component-major with stride
-                                       `data_stride` points); null pointer where it has none */
+  void *const *param_data;        /**< one pointer a parameter, or null: its values point by point; null
+                                       pointer where it has none. Component c of array element e at
+                                       point p of a type with n components is at
+                                       SoA: [(e*n + c) * data_stride + p],
+                                       AoS: [(e * data_stride + p) * n + c] */
   void *const *globals;           /**< as AnyslLayout says; only those the shader names need be there.
                                        Uniform globals: SoA one value, AoS taken from each point */
-  size_t data_stride;             /**< SoA: reals from one component to the next in param_data */
+  size_t data_stride;             /**< in param_data: points from one component (SoA) or array element
+                                       (AoS) to the next */
   const uint32_t *seeds;          /**< start of each point's random sequence; null: the point's number */
   const AnyslServices *services;  /**< never null */
   void *renderer;                 /**< handed back to every service */
