@@ -68,6 +68,16 @@ const OpInfo &info(Op op) {
   return *found;
 }
 
+std::optional<IdKind> idKind(const OpInfo &op) {
+  if (none_of(op.params, [](const OpParam &param) { return param.kind == ParamKind::Id; }))
+    return std::nullopt;
+  if (op.name.contains("_global_"))
+    return IdKind::Global;
+  if (op.name.starts_with("load_param_") || op.name.starts_with("store_param_"))
+    return IdKind::Cell;
+  return IdKind::Param;
+}
+
 const OpInfo *opNamed(StringRef name) { return opsByName().lookup(name); }
 
 const OpInfo *opOfSymbol(StringRef symbol) {

@@ -80,6 +80,11 @@ struct OpInfo {
 llvm::ArrayRef<OpInfo> allOps();
 const OpInfo &info(Op op);
 
+/// What an operator's Id parameter numbers: an entry of Globals.def, a cell of the parameters, or a
+/// parameter. Nothing for an operator without Id.
+enum class IdKind : uint8_t { Global, Cell, Param };
+std::optional<IdKind> idKind(const OpInfo &op);
+
 /// The prefix of every operator's function.
 inline constexpr llvm::StringLiteral opPrefix = "anysl_";
 /// The operator of a name without prefix (`reflect`); null if there is none.
