@@ -1,0 +1,396 @@
+//===-- lib/Host/Batch.cpp - points to shade, in a library's own layout -----------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// The host sees points as tuples of float or double; the library wants arrays of its own format in
+// one of two layouts. AnyslView describes both by strides, so that copying is one loop for all.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Host/Internal.h"
+#include <algorithm>
+
+using namespace anysl::host;
+
+namespace {
+
+constexpr uint32_t padding = 16; // points: the widest entry may read that far
+
+constexpr int firstComponents[] = {
+#define ANYSL_GLOBAL(id, name, type, components, storage, doc) ANYSL_COMPONENT_##name,
+#include <anysl/Globals.def>
+};
+
+uint32_t roundUp(uint32_t points) { return (points + padding - 1) / padding * padding; }
+
+size_t realSize(const AnyslLibraryInfo &info) {
+  return info.real == ANYSL_REAL_DOUBLE ? sizeof(double) : sizeof(float);
+}
+
+void placeGlobalsSoA(AnyslBatch &batch, size_t real) {
+  size_t reals = 0;
+  for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global)
+    if (batch.globals >> global & 1)
+      reals += anysl_global_components(global) *
+               (anysl_global_is_uniform(global) ? padding : batch.stride);
+  batch.globalData = AlignedBuffer(reals * real);
+  batch.globalPointers.resize(ANYSL_COMPONENT_COUNT);
+  char *next = batch.globalData.get();
+  for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global) {
+    if (!(batch.globals >> global & 1))
+      continue;
+    bool uniform = anysl_global_is_uniform(global);
+    size_t component = uniform ? padding : batch.stride;
+    batch.globalViews[global] = {next, 0, component, size_t(!uniform)};
+    for (uint32_t c = 0; c < anysl_global_components(global); ++c, next += component * real)
+      batch.globalPointers[firstComponents[global] + c] = next;
+  }
+}
+
+void placeGlobalsAoS(AnyslBatch &batch, size_t real) {
+  batch.globalData = AlignedBuffer(roundUp(batch.capacity) * size_t(ANYSL_COMPONENT_COUNT) * real);
+  batch.globalPointers = {batch.globalData.get()};
+  for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global)
+    if (batch.globals >> global & 1)
+      batch.globalViews[global] = {batch.globalData.get() + firstComponents[global] * real, 0, 1,
+                                   ANYSL_COMPONENT_COUNT};
+}
+
+AnyslView paramView(const AnyslBatch &batch, int index) {
+  size_t components = anysl_type_components(batch.shader->params[index].type);
+  char *base = batch.paramBuffers[index].get();
+  if (batch.library->info->layout == ANYSL_LAYOUT_SOA)
+    return {base, components * batch.stride, batch.stride, 1};
+  return {base, components * batch.stride, 1, components};
+}
+
+struct Range {
+  uint32_t elements, components;
+  uint32_t first, count;
+};
+
+template <class Real, class Value>
+void copyIn(const AnyslView &view, Range range, const Value *values, size_t stride) {
+  for (uint32_t i = 0; i < range.count; ++i, values += stride)
+    for (uint32_t e = 0; e < range.elements; ++e)
+      for (uint32_t c = 0; c < range.components; ++c)
+        reinterpret_cast<Real *>(view.base)[e * view.element + c * view.component +
+                                            (size_t(range.first) + i) * view.point] =
+            Real(values[e * range.components + c]);
+}
+
+template <class Real, class Value>
+void copyOut(const AnyslView &view, Range range, Value *values, size_t stride) {
+  for (uint32_t i = 0; i < range.count; ++i, values += stride)
+    for (uint32_t e = 0; e < range.elements; ++e)
+      for (uint32_t c = 0; c < range.components; ++c)
+        values[e * range.components + c] = Value(
+            reinterpret_cast<const Real *>(view.base)[e * view.element + c * view.component +
+                                                      (size_t(range.first) + i) * view.point]);
+}
+
+template <class Value>
+void copyIn(const AnyslBatch &batch, const AnyslView &view, Range range, const Value *values,
+            size_t stride) {
+  if (batch.library->info->real == ANYSL_REAL_DOUBLE)
+    copyIn<double>(view, range, values, stride);
+  else
+    copyIn<float>(view, range, values, stride);
+}
+
+template <class Value>
+void copyOut(const AnyslBatch &batch, const AnyslView &view, Range range, Value *values,
+             size_t stride) {
+  if (batch.library->info->real == ANYSL_REAL_DOUBLE)
+    copyOut<double>(view, range, values, stride);
+  else
+    copyOut<float>(view, range, values, stride);
+}
+
+AnyslStatus checkRange(const AnyslBatch &batch, uint32_t first, uint32_t count) {
+  if (uint64_t(first) + count <= batch.capacity)
+    return ANYSL_OK;
+  return fail(ANYSL_ERROR_RANGE, context(*batch.library, *batch.shader) + "points " +
+                                     std::to_string(first) + " to " +
+                                     std::to_string(uint64_t(first) + count) +
+                                     " are outside a batch of " + std::to_string(batch.capacity));
+}
+
+AnyslStatus noSuchGlobal(const AnyslBatch &batch, int global) {
+  const char *name = anysl_global_name(global);
+  std::string problem = name ? std::string("the batch has no room for the global '") + name +
+                                   "', which the shader does not use"
+                             : "there is no global number " + std::to_string(global);
+  return fail(ANYSL_ERROR_NAME, context(*batch.library, *batch.shader) + problem);
+}
+
+template <class Value>
+AnyslStatus writeGlobal(AnyslBatch &batch, int global, uint32_t first, uint32_t count,
+                        const Value *values, size_t stride) {
+  if (!anysl_global_name(global))
+    return noSuchGlobal(batch, global);
+  if (AnyslStatus status = checkRange(batch, first, count))
+    return status;
+  if (!(batch.globals >> global & 1) || !count)
+    return ANYSL_OK;
+  Range range = {1, anysl_global_components(global), first, count};
+  if (anysl_global_is_uniform(global)) {
+    // One value in an SoA batch; in an AoS batch every point has its copy.
+    bool everyPoint = batch.globalViews[global].point;
+    range.first = 0;
+    range.count = everyPoint ? roundUp(batch.capacity) : 1;
+    stride = 0;
+  }
+  copyIn(batch, batch.globalViews[global], range, values, stride);
+  return ANYSL_OK;
+}
+
+template <class Value>
+AnyslStatus readGlobal(const AnyslBatch &batch, int global, uint32_t first, uint32_t count,
+                       Value *values, size_t stride) {
+  if (!anysl_global_name(global) || !(batch.globals >> global & 1))
+    return noSuchGlobal(batch, global);
+  if (AnyslStatus status = checkRange(batch, first, count))
+    return status;
+  copyOut(batch, batch.globalViews[global], {1, anysl_global_components(global), first, count},
+          values, stride);
+  return ANYSL_OK;
+}
+
+/// Finds a parameter and gives it an array; \p flag says which kind of parameter it has to be.
+AnyslStatus provideParam(AnyslBatch &batch, const char *name, uint32_t flag, int &index) {
+  index = findParam(*batch.library, *batch.shader, name);
+  if (index < 0)
+    return ANYSL_ERROR_NAME;
+  const AnyslParamInfo &param = batch.shader->params[index];
+  bool output = flag == ANYSL_PARAM_OUTPUT;
+  if (!(param.flags & flag) || param.type == ANYSL_STRING)
+    return fail(ANYSL_ERROR_TYPE,
+                context(*batch.library, *batch.shader) + "parameter '" + name + "' is " +
+                    (param.type == ANYSL_STRING ? "text, which has no values point by point"
+                     : output                   ? "not an output parameter"
+                                                : "uniform"));
+  if (!batch.paramBuffers[index].get()) {
+    size_t reals = size_t(cellsOf(param)) * batch.stride;
+    batch.paramBuffers[index] = AlignedBuffer(reals * realSize(*batch.library->info));
+    batch.paramPointers[index] = batch.paramBuffers[index].get();
+    batch.args.param_data = batch.paramPointers.data();
+    batch.args.data_stride = batch.stride;
+  }
+  return ANYSL_OK;
+}
+
+Range paramRange(const AnyslParamInfo &param, uint32_t first, uint32_t count) {
+  return {param.array_length ? param.array_length : 1, anysl_type_components(param.type), first,
+          count};
+}
+
+template <class Value>
+AnyslStatus bindParam(AnyslBatch &batch, const char *name, uint32_t first, uint32_t count,
+                      const Value *values, size_t stride) {
+  if (AnyslStatus status = checkRange(batch, first, count))
+    return status;
+  int index;
+  if (AnyslStatus status = provideParam(batch, name, ANYSL_PARAM_VARYING, index))
+    return status;
+  copyIn(batch, paramView(batch, index), paramRange(batch.shader->params[index], first, count),
+         values, stride);
+  return ANYSL_OK;
+}
+
+template <class Value>
+AnyslStatus readOutput(const AnyslBatch &batch, const char *name, uint32_t first, uint32_t count,
+                       Value *values, size_t stride) {
+  if (AnyslStatus status = checkRange(batch, first, count))
+    return status;
+  int index = findParam(*batch.library, *batch.shader, name);
+  if (index < 0)
+    return ANYSL_ERROR_NAME;
+  if (!batch.paramBuffers[index].get())
+    return fail(ANYSL_ERROR_STATE, context(*batch.library, *batch.shader) + "output parameter '" +
+                                       name + "' was not asked for before shading");
+  copyOut(batch, paramView(batch, index), paramRange(batch.shader->params[index], first, count),
+          values, stride);
+  return ANYSL_OK;
+}
+
+AnyslStatus create(const AnyslInstance &instance, uint32_t capacity, uint64_t moreGlobals,
+                   AnyslBatch **result) {
+  const AnyslLibraryInfo &info = *instance.library->info;
+  if (!capacity || capacity > UINT32_MAX - 2 * padding)
+    return fail(ANYSL_ERROR_RANGE, context(*instance.library, *instance.shader) + "a batch of " +
+                                       std::to_string(capacity) + " points is not possible");
+  auto batch = std::make_unique<AnyslBatch>();
+  batch->library = instance.library;
+  batch->shader = instance.shader;
+  batch->capacity = capacity;
+  // A cache line more than needed: component arrays that are a power of two apart would all fall
+  // into the same sets of the cache.
+  batch->stride = size_t(roundUp(capacity)) + padding;
+  batch->globals =
+      (instance.shader->globals_read | instance.shader->globals_written | moreGlobals) &
+      ((uint64_t(1) << ANYSL_GLOBAL_COUNT) - 1);
+  batch->globalViews.resize(ANYSL_GLOBAL_COUNT);
+  if (info.layout == ANYSL_LAYOUT_SOA)
+    placeGlobalsSoA(*batch, realSize(info));
+  else
+    placeGlobalsAoS(*batch, realSize(info));
+  batch->paramBuffers.resize(instance.shader->param_count);
+  batch->paramPointers.resize(instance.shader->param_count);
+  batch->args.struct_size = sizeof(AnyslShadeArgs);
+  batch->args.count = capacity;
+  batch->args.globals = batch->globalPointers.data();
+  *result = batch.release();
+  return ANYSL_OK;
+}
+
+AnyslStatus shade(const AnyslInstance &instance, const AnyslBatch &batch, uint32_t first,
+                  uint32_t last, uint32_t width) {
+  if (instance.shader != batch.shader)
+    return fail(ANYSL_ERROR_STATE, context(*instance.library, *instance.shader) +
+                                       "the batch was made for shader '" + batch.shader->name +
+                                       "' of " + batch.library->path);
+  if (first > last || last > batch.args.count)
+    return fail(ANYSL_ERROR_RANGE, context(*instance.library, *instance.shader) + "points " +
+                                       std::to_string(first) + " to " + std::to_string(last) +
+                                       " are outside a batch of " +
+                                       std::to_string(batch.args.count));
+  AnyslShadeFunction entry = anysl_shader_entry(instance.shader, width);
+  if (!entry) {
+    std::string widths;
+    for (uint32_t i = 0; i < instance.shader->entry_count; ++i)
+      widths += (i ? ", " : "") + std::to_string(instance.shader->entries[i].width);
+    return fail(ANYSL_ERROR_RANGE, context(*instance.library, *instance.shader) +
+                                       "no code for width " + std::to_string(width) + "; it has " +
+                                       widths);
+  }
+  // A copy, so that threads can shade different ranges of one batch.
+  AnyslShadeArgs args = batch.args;
+  args.params = const_cast<AnyslCell *>(instance.cells.data());
+  args.param_is_set = instance.isSet.data();
+  args.services = instance.services;
+  args.renderer = instance.renderer;
+  entry(&args, first, last);
+  return ANYSL_OK;
+}
+
+} // namespace
+
+extern "C" {
+
+AnyslStatus anysl_batch_create(const AnyslInstance *instance, uint32_t capacity,
+                               uint64_t more_globals, AnyslBatch **batch) {
+  return guarded([&] { return create(*instance, capacity, more_globals, batch); });
+}
+
+void anysl_batch_free(AnyslBatch *batch) { delete batch; }
+uint64_t anysl_batch_globals(const AnyslBatch *batch) { return batch->globals; }
+uint32_t anysl_batch_count(const AnyslBatch *batch) { return batch->args.count; }
+
+AnyslStatus anysl_batch_set_count(AnyslBatch *batch, uint32_t count) {
+  return guarded([&] {
+    AnyslStatus status = checkRange(*batch, 0, count);
+    if (!status)
+      batch->args.count = count;
+    return status;
+  });
+}
+
+AnyslStatus anysl_batch_write_float(AnyslBatch *batch, int global, uint32_t first, uint32_t count,
+                                    const float *values, size_t stride) {
+  return guarded([&] { return writeGlobal(*batch, global, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_write_double(AnyslBatch *batch, int global, uint32_t first, uint32_t count,
+                                     const double *values, size_t stride) {
+  return guarded([&] { return writeGlobal(*batch, global, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_read_float(const AnyslBatch *batch, int global, uint32_t first,
+                                   uint32_t count, float *values, size_t stride) {
+  return guarded([&] { return readGlobal(*batch, global, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_read_double(const AnyslBatch *batch, int global, uint32_t first,
+                                    uint32_t count, double *values, size_t stride) {
+  return guarded([&] { return readGlobal(*batch, global, first, count, values, stride); });
+}
+
+void *anysl_batch_global(AnyslBatch *batch, int global, uint32_t component, size_t *stride) {
+  if (component >= anysl_global_components(global) || !batch->globalViews[global].base)
+    return nullptr;
+  const AnyslView &view = batch->globalViews[global];
+  if (stride)
+    *stride = view.point;
+  return view.base + component * view.component * realSize(*batch->library->info);
+}
+
+AnyslStatus anysl_batch_bind_float(AnyslBatch *batch, const char *param, uint32_t first,
+                                   uint32_t count, const float *values, size_t stride) {
+  return guarded([&] { return bindParam(*batch, param, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_bind_double(AnyslBatch *batch, const char *param, uint32_t first,
+                                    uint32_t count, const double *values, size_t stride) {
+  return guarded([&] { return bindParam(*batch, param, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_want_output(AnyslBatch *batch, const char *param) {
+  return guarded([&] {
+    int index;
+    return provideParam(*batch, param, ANYSL_PARAM_OUTPUT, index);
+  });
+}
+
+AnyslStatus anysl_batch_read_output_float(const AnyslBatch *batch, const char *param,
+                                          uint32_t first, uint32_t count, float *values,
+                                          size_t stride) {
+  return guarded([&] { return readOutput(*batch, param, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_read_output_double(const AnyslBatch *batch, const char *param,
+                                           uint32_t first, uint32_t count, double *values,
+                                           size_t stride) {
+  return guarded([&] { return readOutput(*batch, param, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_unbind(AnyslBatch *batch, const char *param) {
+  return guarded([&] {
+    int index = findParam(*batch->library, *batch->shader, param);
+    if (index < 0)
+      return ANYSL_ERROR_NAME;
+    batch->paramBuffers[index] = AlignedBuffer();
+    batch->paramPointers[index] = nullptr;
+    return ANYSL_OK;
+  });
+}
+
+void anysl_batch_set_lights(AnyslBatch *batch, const AnyslLight *lights, uint32_t count,
+                            const float ambient[3]) {
+  batch->args.lights = lights;
+  batch->args.light_count = count;
+  for (int i = 0; i < 3; ++i)
+    batch->args.ambient[i] = ambient ? ambient[i] : 0;
+}
+
+AnyslStatus anysl_batch_set_seeds(AnyslBatch *batch, const uint32_t *seeds) {
+  return guarded([&] {
+    batch->seeds.assign(seeds ? roundUp(batch->capacity) : 0, 0);
+    if (seeds)
+      std::copy_n(seeds, batch->capacity, batch->seeds.begin());
+    batch->args.seeds = seeds ? batch->seeds.data() : nullptr;
+    return ANYSL_OK;
+  });
+}
+
+void anysl_batch_set_user(AnyslBatch *batch, void *user) { batch->args.batch = user; }
+
+AnyslStatus anysl_shade(const AnyslInstance *instance, AnyslBatch *batch, uint32_t first,
+                        uint32_t last, uint32_t width) {
+  return guarded([&] { return shade(*instance, *batch, first, last, width); });
+}
+
+} // extern "C"

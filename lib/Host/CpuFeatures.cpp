@@ -1,0 +1,82 @@
+//===-- lib/Host/CpuFeatures.cpp - whether the processor has what code needs ------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Host/Internal.h"
+#include <algorithm>
+#include <string_view>
+
+#if defined(__x86_64__) || defined(__i386__)
+#include <cpuid.h>
+
+namespace {
+
+enum Register { Eax, Ebx, Ecx, Edx };
+
+// Bits of XCR0: the register state that the operating system saves for us.
+enum State : uint64_t { None = 0, Ymm = 0x6, Zmm = 0xe6, Tile = 0x60000 };
+
+struct Feature {
+  std::string_view name;
+  uint32_t leaf, subleaf;
+  Register in;
+  unsigned bit;
+  uint64_t state;
+};
+constexpr Feature features[] = {
+#define CPU_FEATURE(name, leaf, subleaf, in, bit, state) {name, leaf, subleaf, in, bit, state},
+#include "lib/Host/CpuFeatures.def"
+};
+
+uint64_t savedState() {
+  unsigned registers[4];
+  constexpr unsigned osxsave = 1u << 27;
+  if (!__get_cpuid(1, &registers[Eax], &registers[Ebx], &registers[Ecx], &registers[Edx]) ||
+      !(registers[Ecx] & osxsave))
+    return 0;
+  // By hand, since the intrinsic may only be used in code compiled for processors that have it.
+  uint32_t low, high;
+  __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+  return uint64_t(high) << 32 | low;
+}
+
+bool has(const Feature &feature, uint64_t saved) {
+  unsigned registers[4];
+  if (!__get_cpuid_count(feature.leaf, feature.subleaf, &registers[Eax], &registers[Ebx],
+                         &registers[Ecx], &registers[Edx]))
+    return false;
+  return (registers[feature.in] >> feature.bit & 1) && (saved & feature.state) == feature.state;
+}
+
+bool has(std::string_view name) {
+  for (const Feature &feature : features)
+    if (feature.name == name)
+      return has(feature, savedState());
+  return false;
+}
+
+} // namespace
+
+#else
+static bool has(std::string_view) { return false; }
+#endif
+
+std::string anysl::host::missingCpuFeatures(const char *list) {
+  std::string missing;
+  std::string_view rest = list ? list : "";
+  while (!rest.empty()) {
+    std::string_view name = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+    // LLVM writes +name for needed and -name for avoided.
+    if (!name.empty() && name[0] == '+')
+      name.remove_prefix(1);
+    if (name.empty() || name[0] == '-' || has(name))
+      continue;
+    missing += missing.empty() ? "" : ", ";
+    missing += name;
+  }
+  return missing;
+}
