@@ -1,0 +1,136 @@
+//===-- anysl/ieee.h - a real number that is float or double ------------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// What a real's header promises (runtimes/real/README.md), for `anysl_float` being float or double: the
+// header defines that name and includes this file. Everything is free of branches, so that it widens
+// into straight vector code; a selection is written `a < b ? x : y` such that NaN takes the arm named.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_IEEE_H
+#define ANYSL_IEEE_H
+
+#include <anysl/math.h>
+#include <stdint.h>
+
+namespace anysl {
+
+template <typename Real>
+struct IeeeFormat;
+
+template <>
+struct IeeeFormat<float> {
+  using Bits = uint32_t;
+  using Integer = int32_t;
+  static constexpr int fractionBits = 23;
+  static constexpr int bias = 127;
+  static constexpr float smallestNormal = 0x1p-126f;
+  static constexpr float largestFinite = 0x1.fffffep127f;
+  static constexpr float largestInteger = 0x1.fffffep30f; // that converts to Integer
+};
+
+template <>
+struct IeeeFormat<double> {
+  using Bits = uint64_t;
+  using Integer = int64_t;
+  static constexpr int fractionBits = 52;
+  static constexpr int bias = 1023;
+  static constexpr double smallestNormal = 0x1p-1022;
+  static constexpr double largestFinite = 0x1.fffffffffffffp1023;
+  static constexpr double largestInteger = 0x1.fffffffffffffp62;
+};
+
+//===-- Constants -------------------------------------------------------------------------------===//
+
+using Format = IeeeFormat<anysl_float>;
+inline constexpr anysl_float smallestNormal = Format::smallestNormal;
+inline constexpr anysl_float largestFinite = Format::largestFinite;
+inline constexpr anysl_float infinity = __builtin_inff();
+/// The spacing of the numbers just below 1.
+inline constexpr anysl_float spacingBelowOne =
+    anysl_float(0.5) / anysl_float(Format::Bits(1) << Format::fractionBits);
+
+//===-- Bits ------------------------------------------------------------------------------------===//
+
+inline constexpr int signShift = sizeof(anysl_float) * 8 - 1;
+
+inline Format::Bits bitsOf(anysl_float x) { return __builtin_bit_cast(Format::Bits, x); }
+inline anysl_float fromBits(Format::Bits b) { return __builtin_bit_cast(anysl_float, b); }
+
+/// -x where bit 0 of `sign` is set, else x. The other bits do not count.
+inline anysl_float negateIf(anysl_float x, uint32_t sign) {
+  return fromBits(bitsOf(x) ^ (Format::Bits(sign) << signShift));
+}
+
+/// A power of two `down` that brings m >= 0 near 1, and its inverse. Both are normal numbers; at the
+/// very ends of the range m * down stays a few binades away from 1.
+struct Scale {
+  anysl_float down, up;
+};
+inline Scale scaleFor(anysl_float m) {
+  using Bits = Format::Bits;
+  constexpr Bits last = 2 * Format::bias - 1;
+  Bits exponent = bitsOf(m) >> Format::fractionBits;
+  exponent = exponent < 1 ? 1 : exponent;
+  exponent = exponent > last ? last : exponent;
+  return {fromBits((last + 1 - exponent) << Format::fractionBits),
+          fromBits(exponent << Format::fractionBits)};
+}
+
+//===-- Selection and rounding ------------------------------------------------------------------===//
+
+inline anysl_float select(bool condition, anysl_float a, anysl_float b) {
+  return condition ? a : b;
+}
+inline bool isNaN(anysl_float x) { return x != x; }
+
+inline float absOf(float x) { return __builtin_fabsf(x); }
+inline double absOf(double x) { return __builtin_fabs(x); }
+inline float floorOf(float x) { return __builtin_floorf(x); }
+inline double floorOf(double x) { return __builtin_floor(x); }
+inline float ceilOf(float x) { return __builtin_ceilf(x); }
+inline double ceilOf(double x) { return __builtin_ceil(x); }
+inline float copySign(float magnitude, float sign) { return __builtin_copysignf(magnitude, sign); }
+inline double copySign(double magnitude, double sign) { return __builtin_copysign(magnitude, sign); }
+
+/// a b + c with one rounding.
+inline float fusedMultiplyAdd(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+inline double fusedMultiplyAdd(double a, double b, double c) { return __builtin_fma(a, b, c); }
+
+//===-- Integers --------------------------------------------------------------------------------===//
+
+/// The integer x (floored already) modulo 2^32. Beyond the integers of the format, and for NaN, one fixed
+/// cell: conversion of such numbers is undefined, and differs between scalar and vector instructions.
+inline uint32_t latticeCell(anysl_float x) {
+  constexpr anysl_float high = Format::largestInteger, low = -high;
+  x = x > low ? x : low;
+  x = x < high ? x : high;
+  return uint32_t(Format::Integer(x));
+}
+
+/// The integer x (floored already), limited to what fits; NaN gives 0.
+inline int32_t toInteger(anysl_float x) {
+  constexpr anysl_float high = IeeeFormat<float>::largestInteger, low = -high;
+  x = isNaN(x) ? anysl_float(0) : x;
+  x = x > low ? x : low;
+  x = x < high ? x : high;
+  return int32_t(x);
+}
+
+/// A number in [0, 1) from the high 24 bits, the same for float and double.
+inline anysl_float unitFromBits(uint32_t bits) {
+  return anysl_float(int32_t(bits >> 8)) * anysl_float(0x1p-24);
+}
+
+/// A number in [-1, 1) from 32 bits, the same for float and double.
+inline anysl_float signedUnitFromBits(uint32_t bits) {
+  return anysl_float(int32_t(bits) >> 8) * anysl_float(0x1p-23);
+}
+
+} // namespace anysl
+
+#endif // ANYSL_IEEE_H
