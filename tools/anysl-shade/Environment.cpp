@@ -1,0 +1,151 @@
+//===-- tools/anysl-shade/Environment.cpp - a world in closed form ----------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-shade/Environment.h"
+#include <cmath>
+#include <utility>
+
+namespace anysl::shade {
+namespace {
+
+constexpr Matrix identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+constexpr double groundHeight = -1;
+constexpr double far = 1e30;
+
+const Environment &world(void *renderer) { return *static_cast<const Environment *>(renderer); }
+
+void trace(void *renderer, const AnyslShadeArgs *, uint32_t, const double *, const double *R,
+           double *color) {
+  static constexpr double horizon[3] = {0.9, 0.95, 1}, zenith[3] = {0.25, 0.5, 0.9};
+  static constexpr double ground[3] = {0.3, 0.25, 0.2};
+  double length = std::hypot(R[0], R[1], R[2]);
+  Surroundings surroundings = world(renderer).surroundings;
+  for (int c = 0; c < 3; ++c) {
+    double up = R[2] / length;
+    if (!(length > 0) || surroundings == Surroundings::Black)
+      color[c] = 0;
+    else if (surroundings == Surroundings::Direction)
+      color[c] = (1 + R[c] / length) / 2;
+    else
+      color[c] = up < 0 ? ground[c] : horizon[c] * (1 - up) + zenith[c] * up;
+  }
+}
+
+double traceDistance(void *renderer, const AnyslShadeArgs *, uint32_t, const double *P,
+                     const double *R) {
+  double above = P[2] - groundHeight;
+  if (world(renderer).surroundings == Surroundings::Black || !(R[2] < 0) || !(above > 0))
+    return far;
+  return above / -R[2] * std::hypot(R[0], R[1], R[2]);
+}
+
+void transmission(void *renderer, const AnyslShadeArgs *, uint32_t, const double *from,
+                  const double *to, double *color) {
+  bool crosses = (from[2] > groundHeight) != (to[2] > groundHeight);
+  bool hidden = crosses && world(renderer).surroundings != Surroundings::Black;
+  color[0] = color[1] = color[2] = hidden ? 0 : 1;
+}
+
+/// Serves the lanes of a packet one by one, so that every width gets the very same numbers.
+template <class Ask>
+void forLanes(uint32_t width, uint32_t mask, const float *a, const float *b, Ask ask) {
+  for (uint32_t lane = 0; lane < width; ++lane) {
+    if (!(mask >> lane & 1))
+      continue;
+    double wideA[3], wideB[3];
+    for (uint32_t c = 0; c < 3; ++c) {
+      wideA[c] = a[c * width + lane];
+      wideB[c] = b[c * width + lane];
+    }
+    ask(lane, wideA, wideB);
+  }
+}
+
+template <auto service>
+void colorPacket(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                 uint32_t mask, const float *a, const float *b, float *color) {
+  forLanes(width, mask, a, b, [&](uint32_t lane, const double *wideA, const double *wideB) {
+    double result[3];
+    service(renderer, args, first + lane, wideA, wideB, result);
+    for (uint32_t c = 0; c < 3; ++c)
+      color[c * width + lane] = float(result[c]);
+  });
+}
+
+void traceDistancePacket(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                         uint32_t mask, const float *P, const float *R, float *distance) {
+  forLanes(width, mask, P, R, [&](uint32_t lane, const double *wideP, const double *wideR) {
+    distance[lane] = float(traceDistance(renderer, args, first + lane, wideP, wideR));
+  });
+}
+
+int spaceMatrix(void *renderer, const AnyslShadeArgs *, const char *from, const char *to,
+                double *matrix) {
+  const auto &spaces = world(renderer).toCurrent;
+  auto source = spaces.find(from), target = spaces.find(to);
+  if (source == spaces.end() || target == spaces.end())
+    return 0;
+  Matrix back = inverse(target->second);
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) {
+      double sum = 0;
+      for (int k = 0; k < 4; ++k)
+        sum += source->second[row * 4 + k] * back[k * 4 + column];
+      matrix[row * 4 + column] = sum;
+    }
+  return 1;
+}
+
+} // namespace
+
+Environment::Environment() {
+  for (const char *name : {"", "current", "camera", "world", "object", "shader"})
+    toCurrent[name] = identity;
+}
+
+AnyslServices environmentServices() {
+  AnyslServices services = {};
+  services.struct_size = sizeof services;
+  services.trace = trace;
+  services.trace_packet = colorPacket<trace>;
+  services.trace_distance = traceDistance;
+  services.trace_distance_packet = traceDistancePacket;
+  services.transmission = transmission;
+  services.transmission_packet = colorPacket<transmission>;
+  services.space_matrix = spaceMatrix;
+  return services;
+}
+
+// Gauss-Jordan elimination with row pivots.
+Matrix inverse(const Matrix &matrix) {
+  Matrix left = matrix, right = identity;
+  for (int column = 0; column < 4; ++column) {
+    int pivot = column;
+    for (int row = column + 1; row < 4; ++row)
+      if (std::fabs(left[row * 4 + column]) > std::fabs(left[pivot * 4 + column]))
+        pivot = row;
+    for (int k = 0; k < 4; ++k) {
+      std::swap(left[column * 4 + k], left[pivot * 4 + k]);
+      std::swap(right[column * 4 + k], right[pivot * 4 + k]);
+    }
+    double scale = 1 / left[column * 4 + column];
+    for (int k = 0; k < 4; ++k) {
+      left[column * 4 + k] *= scale;
+      right[column * 4 + k] *= scale;
+    }
+    for (int row = 0; row < 4; ++row) {
+      double factor = left[row * 4 + column];
+      for (int k = 0; row != column && k < 4; ++k) {
+        left[row * 4 + k] -= factor * left[column * 4 + k];
+        right[row * 4 + k] -= factor * right[column * 4 + k];
+      }
+    }
+  }
+  return right;
+}
+
+} // namespace anysl::shade

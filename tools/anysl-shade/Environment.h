@@ -1,0 +1,56 @@
+//===-- tools/anysl-shade/Environment.h - a world in closed form ----------------------*- C++
+//-*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// What the renderer's services answer when there is no renderer: a world simple enough that every
+// answer is a formula, so that tests can compute it. With d = R / |R|:
+//
+//   trace         sky        d.z >= 0: (0.9, 0.95, 1) (1 - d.z) + (0.25, 0.5, 0.9) d.z, a sky paler
+//   at the horizon
+//                            d.z < 0:  (0.3, 0.25, 0.2), the ground
+//                 direction  (1 + d) / 2, the direction as a colour
+//                 black      0
+//                 A zero R arrives from nowhere: black.
+//   trace distance, transmission: of the ground, the plane z = -1; black has none (1e30, 1)
+//   space matrix  the identity for "current", "camera", "world", "object", "shader" and "", and
+//   what --space gives
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_TOOLS_ANYSL_SHADE_ENVIRONMENT_H
+#define ANYSL_TOOLS_ANYSL_SHADE_ENVIRONMENT_H
+
+#include <anysl/abi.h>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace anysl::shade {
+
+using Matrix = std::array<double, 16>; ///< row by row, for row vectors
+
+enum class Surroundings { Sky, Direction, Black };
+
+struct Environment {
+  Surroundings surroundings = Surroundings::Sky;
+  std::map<std::string, Matrix> toCurrent; ///< by name of the coordinate system
+  std::vector<AnyslLight> lights;
+  float ambient[3] = {0, 0, 0};
+
+  Environment();
+};
+
+/// The services of this world; the renderer pointer that goes with them is an Environment.
+AnyslServices environmentServices();
+
+/// The inverse, or nothing that is finite where there is none.
+Matrix inverse(const Matrix &matrix);
+
+} // namespace anysl::shade
+
+#endif

@@ -1,0 +1,247 @@
+//===-- tools/anysl-shade/Grid.cpp - a shader over a grid of points ---------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-shade/Grid.h"
+#include <algorithm>
+
+namespace anysl::shade {
+namespace {
+
+constexpr uint32_t pointsAtOnce = 4096;
+
+void check(AnyslStatus status) {
+  if (status == ANYSL_ERROR_MEMORY)
+    throw std::bad_alloc();
+  if (status)
+    throw UserError(anysl_last_error());
+}
+
+std::string plural(size_t count) {
+  return std::to_string(count) + (count == 1 ? " number" : " numbers");
+}
+
+/// i/(n-1), 0 where the side is 1.
+double fraction(size_t i, size_t n) { return n > 1 ? double(i) / double(n - 1) : 0; }
+double step(size_t n) { return n > 1 ? 1 / double(n - 1) : 1; }
+
+} // namespace
+
+Grid::Grid(const Options &given) : options(given), services(environmentServices()) {
+  AnyslLibrary *opened = nullptr;
+  check(anysl_library_open(options.library.c_str(), 0, &opened));
+  library.reset(opened);
+  AnyslInstance *created = nullptr;
+  check(anysl_instance_create(opened, options.shader ? options.shader->c_str() : nullptr, &services,
+                              &options.environment, &created));
+  shaderInstance.reset(created);
+  for (const ParamText &param : options.params)
+    setParam(param);
+  for (const Constant &constant : options.constants)
+    override(constant.name, constant.value, constant.value, false, "--set");
+  for (const Ramp &ramp : options.ramps)
+    override(ramp.name, ramp.from, ramp.to, ramp.alongHeight, "--ramp");
+  chooseResults();
+}
+
+void Grid::setParam(const ParamText &param) {
+  const AnyslParamInfo *info = anysl_shader_param(&shader(), param.name.c_str());
+  if (!info || info->type != ANYSL_STRING) {
+    // An unknown name is best reported by the library, whatever the value.
+    std::vector<double> numbers =
+        info ? parseNumbers(param.value, "--param " + param.name) : std::vector<double>(1);
+    return check(anysl_instance_set_numbers(shaderInstance.get(), param.name.c_str(),
+                                            numbers.data(), numbers.size()));
+  }
+  std::vector<std::string> texts = {param.value};
+  if (info->array_length)
+    for (size_t at; (at = texts.back().find(',')) != std::string::npos;) {
+      std::string rest = texts.back().substr(at + 1);
+      texts.back().resize(at);
+      texts.push_back(rest);
+    }
+  std::vector<const char *> pointers;
+  for (const std::string &text : texts)
+    pointers.push_back(text.c_str());
+  check(anysl_instance_set_strings(shaderInstance.get(), param.name.c_str(), pointers.data(),
+                                   pointers.size()));
+}
+
+void Grid::override(const std::string &name, std::vector<double> from, std::vector<double> to,
+                    bool alongHeight, const char *option) {
+  int global = anysl_global_find(name.c_str());
+  const AnyslParamInfo *param = anysl_shader_param(&shader(), name.c_str());
+  if (global < 0 && !(param && param->flags & ANYSL_PARAM_VARYING && param->type != ANYSL_STRING))
+    throw UserError(std::string(option) + ": '" + name +
+                    (param ? "' is a uniform parameter; --param sets those"
+                           : "' is neither a shader global nor a varying parameter"));
+  if (global >= 0 && anysl_global_is_uniform(global) && from != to)
+    throw UserError("--ramp: '" + name + "' has one value for all points; --set sets it");
+  size_t size = global >= 0
+                    ? anysl_global_components(global)
+                    : anysl_type_components(param->type) * std::max(param->array_length, 1u);
+  bool spread = from.size() == 1 && size == 3;
+  if (from.size() != size && !spread)
+    throw UserError(std::string(option) + ": '" + name + "' takes " + plural(size) + ", not " +
+                    std::to_string(from.size()));
+  if (spread) {
+    from.resize(3, from[0]);
+    to.resize(3, to[0]);
+  }
+  Override value = {std::move(from), std::move(to), alongHeight};
+  if (global >= 0)
+    globalOverrides[global] = std::move(value);
+  else
+    paramOverrides[name] = std::move(value);
+}
+
+void Grid::chooseResults() {
+  if (options.print.empty())
+    for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global)
+      if (shader().globals_written >> global & 1)
+        options.print.push_back(anysl_global_name(global));
+  bool wantsCi = std::find(options.print.begin(), options.print.end(), "Ci") != options.print.end();
+  if (!options.image.empty() && !wantsCi)
+    options.print.push_back("Ci");
+  std::string outputs;
+  for (uint32_t i = 0; i < shader().param_count; ++i)
+    if (shader().params[i].flags & ANYSL_PARAM_OUTPUT)
+      outputs += std::string(outputs.empty() ? "" : ", ") + shader().params[i].name;
+  for (const std::string &name : options.print) {
+    int global = anysl_global_find(name.c_str());
+    const AnyslParamInfo *param = anysl_shader_param(&shader(), name.c_str());
+    bool output = param && param->flags & ANYSL_PARAM_OUTPUT && param->type != ANYSL_STRING;
+    if (global < 0 && !output)
+      throw UserError("--print: '" + name + "' is neither a shader global nor an output parameter" +
+                      (outputs.empty() ? "" : " (those are " + outputs + ")"));
+    if (global >= 0) {
+      printedGlobals |= uint64_t(1) << global;
+      wanted.push_back({name, anysl_global_components(global), 0, {}});
+    } else {
+      wanted.push_back({name, anysl_type_components(param->type), param->array_length, {}});
+    }
+  }
+}
+
+void Grid::valueAt(const Override &value, size_t point, double *result) const {
+  double x = value.alongHeight ? fraction(point / options.gridWidth, options.gridHeight)
+                               : fraction(point % options.gridWidth, options.gridWidth);
+  // Exact at both ends.
+  for (size_t c = 0; c < value.from.size(); ++c)
+    result[c] = x == 1 || value.from[c] == value.to[c]
+                    ? value.to[c]
+                    : value.from[c] + (value.to[c] - value.from[c]) * x;
+}
+
+void Grid::globalAt(int global, size_t point, double *result) const {
+  auto given = globalOverrides.find(global);
+  if (given != globalOverrides.end())
+    return valueAt(given->second, point, result);
+  double u = fraction(point % options.gridWidth, options.gridWidth);
+  double v = fraction(point / options.gridWidth, options.gridHeight);
+  auto put = [&](double x, double y = 0, double z = 0) {
+    double value[3] = {x, y, z};
+    std::copy_n(value, anysl_global_components(global), result);
+  };
+  switch (global) {
+  case ANYSL_P:
+  case ANYSL_Ps:
+    return put(u, v, 0);
+  case ANYSL_N:
+  case ANYSL_Ng:
+  case ANYSL_Ns:
+  case ANYSL_E:
+    return put(0, 0, 1);
+  case ANYSL_I:
+    return put(0, 0, -1);
+  case ANYSL_Cs:
+  case ANYSL_Os:
+    return put(1, 1, 1);
+  case ANYSL_Oi:
+    return globalAt(ANYSL_Os, point, result);
+  case ANYSL_u:
+  case ANYSL_s:
+    return put(u);
+  case ANYSL_v:
+  case ANYSL_t:
+    return put(v);
+  case ANYSL_dPdu:
+    return put(1, 0, 0);
+  case ANYSL_dPdv:
+    return put(0, 1, 0);
+  case ANYSL_du:
+    return put(step(options.gridWidth));
+  case ANYSL_dv:
+    return put(step(options.gridHeight));
+  case ANYSL_ncomps:
+    return put(3);
+  case ANYSL_alpha:
+    return put(1);
+  default:
+    return put(0);
+  }
+}
+
+void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
+  std::vector<double> values;
+  for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global) {
+    if (!(anysl_batch_globals(batch) >> global & 1))
+      continue;
+    uint32_t components = anysl_global_components(global);
+    values.resize(size_t(count) * components);
+    for (uint32_t i = 0; i < count; ++i)
+      globalAt(global, first + i, &values[size_t(i) * components]);
+    check(anysl_batch_write_double(batch, global, 0, count, values.data(), components));
+  }
+  for (const auto &[name, value] : paramOverrides) {
+    size_t components = value.from.size();
+    values.resize(count * components);
+    for (uint32_t i = 0; i < count; ++i)
+      valueAt(value, first + i, &values[i * components]);
+    check(anysl_batch_bind_double(batch, name.c_str(), 0, count, values.data(), components));
+  }
+  // A point's random numbers do not depend on how the grid is cut into batches.
+  std::vector<uint32_t> seeds(count);
+  for (uint32_t i = 0; i < count; ++i)
+    seeds[i] = uint32_t(first + i);
+  check(anysl_batch_set_seeds(batch, seeds.data()));
+}
+
+BatchHandle Grid::makeBatch(size_t first, uint32_t count) const {
+  AnyslBatch *created = nullptr;
+  check(anysl_batch_create(instance(), count, printedGlobals, &created));
+  BatchHandle batch(created);
+  const Environment &world = options.environment;
+  anysl_batch_set_lights(created, world.lights.data(), uint32_t(world.lights.size()),
+                         world.ambient);
+  for (const Result &result : wanted)
+    if (anysl_global_find(result.name.c_str()) < 0)
+      check(anysl_batch_want_output(created, result.name.c_str()));
+  fill(created, first, count);
+  return batch;
+}
+
+std::vector<Result> Grid::shade() const {
+  std::vector<Result> results = wanted;
+  for (Result &result : results)
+    result.values.resize(pointCount() * result.perPoint());
+  for (size_t first = 0; first < pointCount(); first += pointsAtOnce) {
+    auto count = uint32_t(std::min<size_t>(pointsAtOnce, pointCount() - first));
+    BatchHandle batch = makeBatch(first, count);
+    check(anysl_shade(instance(), batch.get(), 0, count, options.width));
+    for (Result &result : results) {
+      int global = anysl_global_find(result.name.c_str());
+      double *values = &result.values[first * result.perPoint()];
+      check(global >= 0
+                ? anysl_batch_read_double(batch.get(), global, 0, count, values, result.perPoint())
+                : anysl_batch_read_output_double(batch.get(), result.name.c_str(), 0, count, values,
+                                                 result.perPoint()));
+    }
+  }
+  return results;
+}
+
+} // namespace anysl::shade

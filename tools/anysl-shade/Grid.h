@@ -1,0 +1,86 @@
+//===-- tools/anysl-shade/Grid.h - a shader over a grid of points ---------------------*- C++
+//-*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_TOOLS_ANYSL_SHADE_GRID_H
+#define ANYSL_TOOLS_ANYSL_SHADE_GRID_H
+
+#include "tools/anysl-shade/Options.h"
+#include <anysl/anysl.h>
+#include <map>
+#include <memory>
+
+namespace anysl::shade {
+
+template <auto function>
+struct Free {
+  template <class T>
+  void operator()(T *object) const {
+    function(object);
+  }
+};
+using LibraryHandle = std::unique_ptr<AnyslLibrary, Free<anysl_library_close>>;
+using InstanceHandle = std::unique_ptr<AnyslInstance, Free<anysl_instance_free>>;
+using BatchHandle = std::unique_ptr<AnyslBatch, Free<anysl_batch_free>>;
+
+/// One shaded quantity at every point of the grid, row by row.
+struct Result {
+  std::string name;
+  uint32_t components; ///< of one element
+  uint32_t elements;   ///< 0: not an array
+  std::vector<double> values;
+
+  uint32_t perPoint() const { return components * (elements ? elements : 1); }
+};
+
+/// A shader instance as the command line describes it. Its functions throw UserError.
+class Grid {
+public:
+  explicit Grid(const Options &options);
+
+  /// Shades every point, a few thousand at a time.
+  std::vector<Result> shade() const;
+
+  /// A batch that holds points [first, first + count), counted row by row.
+  BatchHandle makeBatch(size_t first, uint32_t count) const;
+  /// Puts the inputs of these points into a batch.
+  void fill(AnyslBatch *batch, size_t first, uint32_t count) const;
+  size_t pointCount() const { return size_t(options.gridWidth) * options.gridHeight; }
+
+  const AnyslInstance *instance() const { return shaderInstance.get(); }
+  const AnyslShaderInfo &shader() const { return *anysl_instance_shader(instance()); }
+  /// Whether the shader computes in double precision.
+  bool isDouble() const { return anysl_library_info(library.get())->real == ANYSL_REAL_DOUBLE; }
+
+private:
+  /// A value that the command line gives to a global or varying parameter instead of the grid's
+  /// own.
+  struct Override {
+    std::vector<double> from, to; ///< padded to all components
+    bool alongHeight = false;
+  };
+
+  void setParam(const ParamText &param);
+  void override(const std::string &name, std::vector<double> from, std::vector<double> to,
+                bool alongHeight, const char *option);
+  void chooseResults();
+  void valueAt(const Override &value, size_t point, double *result) const;
+  void globalAt(int global, size_t point, double *result) const;
+
+  Options options;
+  AnyslServices services;
+  LibraryHandle library;
+  InstanceHandle shaderInstance;
+  std::map<int, Override> globalOverrides;
+  std::map<std::string, Override> paramOverrides;
+  std::vector<Result> wanted; ///< without values
+  uint64_t printedGlobals = 0;
+};
+
+} // namespace anysl::shade
+
+#endif

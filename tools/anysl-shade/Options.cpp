@@ -1,0 +1,324 @@
+//===-- tools/anysl-shade/Options.cpp - the command line --------------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-shade/Options.h"
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+
+namespace anysl::shade {
+namespace {
+
+constexpr const char *help =
+    R"(usage: anysl-shade FILE.so [options]
+
+Shades a grid of points without a renderer. Point (i, j) of a W x H grid has
+  s = u = i/(W-1), t = v = j/(H-1) (0 where the side is 1), P = (u, v, 0),
+  dPdu = (1,0,0), dPdv = (0,1,0), N = Ng = (0,0,1), I = (0,0,-1), E = (0,0,1),
+  Cs = Os = 1, Ci = 0, Oi = Os, du and dv the grid step (1 where the side is 1),
+  time = 0, ncomps = 3, alpha = 1, Ps = P, Ns = N, everything else 0.
+
+What to shade:
+  --shader NAME            the shader, if the library has several
+  --grid WxH               default: 4x4; with -o 256x256, with --bench 64x64
+  --width N                points at once; default: the library's widest
+  --set NAME=v[,v...]      a global (or varying parameter) has this value everywhere
+  --ramp NAME=a:b:AXIS     it goes from a to b along the axis x (also u, s) or y (v, t);
+                           a and b are v[,v...]
+  --param NAME=v[,v...]    a parameter's value: numbers, or text
+
+What to do with it:
+  --print NAME             print a global or an output parameter (repeatable);
+                           default: every global that the shader writes
+  --json                   print {"width":W,"height":H,"NAME":[...],...}, one entry a point,
+                           row by row; a number, or an array of its components
+  -o IMAGE                 write Ci as an image (.png, .exr, ...), row j = 0 on top; 8 and
+                           16 bit images get the values as they are, without a gamma
+  --bench                  time the shader at each width
+
+The world around it:
+  --environment sky|direction|black
+      what trace() sees; d is the direction, of unit length. sky (default):
+      (0.9,0.95,1)*(1-d.z) + (0.25,0.5,0.9)*d.z above, (0.3,0.25,0.2) below;
+      direction: (1+d)/2. The ground, plane z = -1, is what stops rays (not in black).
+  --light KIND[:KEY=v[,v...]]...   add a light; KIND is
+      ambient   color, intensity
+      distant   color, intensity, direction (in which the light travels; 0,0,-1)
+      point     color, intensity, from (0,0,1)
+      spot      color, intensity, from (0,0,1), direction or to, cone (30), delta (5), beam (2);
+                cone and delta in degrees
+      and the flags shadow, nondiffuse, nonspecular
+  --space NAME=m,...       16 numbers, the matrix (row by row, for row vectors) from a
+                           named coordinate system to the current one
+)";
+
+[[noreturn]] void fail(const std::string &message) { throw UserError(message); }
+
+std::vector<std::string> split(const std::string &text, char separator) {
+  std::vector<std::string> parts;
+  for (size_t begin = 0;;) {
+    size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string::npos)
+      return parts;
+    begin = end + 1;
+  }
+}
+
+/// NAME=VALUE, both sides of it.
+std::pair<std::string, std::string> parseAssignment(const std::string &text,
+                                                    const std::string &option) {
+  size_t at = text.find('=');
+  if (at == 0 || at == std::string::npos)
+    fail(option + " wants NAME=VALUE, not '" + text + "'");
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+unsigned parseCount(const std::string &text, const std::string &option) {
+  unsigned value = 0;
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !value)
+    fail(option + " wants a positive whole number, not '" + text + "'");
+  return value;
+}
+
+void parseGrid(Options &options, const std::string &text) {
+  std::vector<std::string> sides = split(text, 'x');
+  if (sides.size() != 2)
+    fail("--grid wants WIDTHxHEIGHT, not '" + text + "'");
+  options.gridWidth = parseCount(sides[0], "--grid");
+  options.gridHeight = parseCount(sides[1], "--grid");
+  if (uint64_t(options.gridWidth) * options.gridHeight > (uint64_t(1) << 28))
+    fail("--grid " + text + " has more points than fit into memory");
+}
+
+Ramp parseRamp(const std::string &text) {
+  auto [name, value] = parseAssignment(text, "--ramp");
+  std::vector<std::string> parts = split(value, ':');
+  if (parts.size() != 3)
+    fail("--ramp wants NAME=FROM:TO:AXIS, not '" + text + "'");
+  bool across = parts[2] == "x" || parts[2] == "u" || parts[2] == "s";
+  bool down = parts[2] == "y" || parts[2] == "v" || parts[2] == "t";
+  if (!across && !down)
+    fail("the axis of --ramp is x (or u, s) or y (or v, t), not '" + parts[2] + "'");
+  Ramp ramp = {name, parseNumbers(parts[0], "--ramp"), parseNumbers(parts[1], "--ramp"), down};
+  if (ramp.from.size() != ramp.to.size())
+    fail("the ends of --ramp " + text + " have different numbers of components");
+  return ramp;
+}
+
+void parseSurroundings(Environment &environment, const std::string &text) {
+  if (text == "sky")
+    environment.surroundings = Surroundings::Sky;
+  else if (text == "direction")
+    environment.surroundings = Surroundings::Direction;
+  else if (text == "black")
+    environment.surroundings = Surroundings::Black;
+  else
+    fail("--environment is sky, direction or black, not '" + text + "'");
+}
+
+void parseSpace(Environment &environment, const std::string &text) {
+  auto [name, value] = parseAssignment(text, "--space");
+  std::vector<double> numbers = parseNumbers(value, "--space");
+  if (numbers.size() != 16)
+    fail("--space wants 16 numbers, not " + std::to_string(numbers.size()));
+  Matrix matrix;
+  std::copy(numbers.begin(), numbers.end(), matrix.begin());
+  for (double element : inverse(matrix))
+    if (!std::isfinite(element))
+      fail("the matrix of --space " + name + " has no inverse");
+  environment.toCurrent[name] = matrix;
+}
+
+/// A light as it is described, before its colour is scaled and its angles become cosines.
+struct LightText {
+  std::string kind;
+  std::vector<double> color = {1, 1, 1}, from = {0, 0, 1}, direction = {0, 0, -1}, to;
+  double intensity = 1, cone = 30, delta = 5, beam = 2;
+  uint32_t flags = 0;
+};
+
+void parseLightKey(LightText &light, const std::string &part) {
+  if (part == "shadow" || part == "nondiffuse" || part == "nonspecular") {
+    light.flags |= part == "shadow"       ? ANYSL_LIGHT_CASTS_SHADOW
+                   : part == "nondiffuse" ? ANYSL_LIGHT_NONDIFFUSE
+                                          : ANYSL_LIGHT_NONSPECULAR;
+    return;
+  }
+  auto [key, value] = parseAssignment(part, "--light");
+  std::vector<double> numbers = parseNumbers(value, "--light");
+  bool ambient = light.kind == "ambient", distant = light.kind == "distant";
+  bool spot = light.kind == "spot";
+  struct Key {
+    const char *name;
+    std::vector<double> *triple;
+    double *number;
+    bool allowed;
+  } const keys[] = {{"color", &light.color, nullptr, true},
+                    {"intensity", nullptr, &light.intensity, true},
+                    {"from", &light.from, nullptr, !ambient && !distant},
+                    {"direction", &light.direction, nullptr, distant || spot},
+                    {"to", &light.to, nullptr, spot},
+                    {"cone", nullptr, &light.cone, spot},
+                    {"delta", nullptr, &light.delta, spot},
+                    {"beam", nullptr, &light.beam, spot}};
+  for (const Key &known : keys) {
+    if (key != known.name || !known.allowed)
+      continue;
+    if (numbers.size() != (known.triple ? 3 : 1))
+      fail("'" + key + "' of --light wants " + (known.triple ? "3 numbers" : "1 number"));
+    if (known.triple)
+      *known.triple = numbers;
+    else
+      *known.number = numbers[0];
+    return;
+  }
+  fail("--light " + light.kind + " has no '" + key + "'");
+}
+
+void addLight(Environment &environment, LightText text) {
+  constexpr double degree = 3.14159265358979323846 / 180;
+  AnyslLight light = {};
+  light.kind = text.kind == "distant" ? ANYSL_LIGHT_DISTANT
+               : text.kind == "point" ? ANYSL_LIGHT_POINT
+                                      : ANYSL_LIGHT_SPOT;
+  light.flags = text.flags;
+  for (int c = 0; c < 3; ++c)
+    text.direction[c] = text.to.empty() ? text.direction[c] : text.to[c] - text.from[c];
+  double length = std::hypot(text.direction[0], text.direction[1], text.direction[2]);
+  if (!(length > 0))
+    fail("the direction of --light " + text.kind + " is zero");
+  for (int c = 0; c < 3; ++c) {
+    light.color[c] = float(text.color[c] * text.intensity);
+    light.from[c] = float(text.from[c]);
+    light.direction[c] = float(text.direction[c] / length);
+  }
+  light.cos_outer = float(std::cos(text.cone * degree));
+  light.cos_inner = float(std::cos((text.cone - text.delta) * degree));
+  light.beam = float(text.beam);
+  environment.lights.push_back(light);
+}
+
+void parseLight(Environment &environment, const std::string &description) {
+  std::vector<std::string> parts = split(description, ':');
+  LightText light;
+  light.kind = parts[0];
+  if (light.kind != "ambient" && light.kind != "distant" && light.kind != "point" &&
+      light.kind != "spot")
+    fail("--light is ambient, distant, point or spot, not '" + light.kind + "'");
+  for (size_t i = 1; i < parts.size(); ++i)
+    parseLightKey(light, parts[i]);
+  if (light.kind != "ambient")
+    return addLight(environment, light);
+  for (int c = 0; c < 3; ++c)
+    environment.ambient[c] += float(light.color[c] * light.intensity);
+}
+
+struct Option {
+  const char *name;
+  std::function<void(Options &, const std::string &)> read; ///< null for a flag
+  bool Options::*flag = nullptr;
+};
+
+const Option table[] = {
+    {"--shader", [](Options &o, const std::string &v) { o.shader = v; }},
+    {"--grid", parseGrid},
+    {"--width", [](Options &o, const std::string &v) { o.width = parseCount(v, "--width"); }},
+    {"--set",
+     [](Options &o, const std::string &v) {
+       auto [name, value] = parseAssignment(v, "--set");
+       o.constants.push_back({name, parseNumbers(value, "--set")});
+     }},
+    {"--ramp", [](Options &o, const std::string &v) { o.ramps.push_back(parseRamp(v)); }},
+    {"--param",
+     [](Options &o, const std::string &v) {
+       auto [name, value] = parseAssignment(v, "--param");
+       o.params.push_back({name, value});
+     }},
+    {"--print", [](Options &o, const std::string &v) { o.print.push_back(v); }},
+    {"-o", [](Options &o, const std::string &v) { o.image = v; }},
+    {"--environment",
+     [](Options &o, const std::string &v) { parseSurroundings(o.environment, v); }},
+    {"--light", [](Options &o, const std::string &v) { parseLight(o.environment, v); }},
+    {"--space", [](Options &o, const std::string &v) { parseSpace(o.environment, v); }},
+    {"--json", nullptr, &Options::json},
+    {"--bench", nullptr, &Options::bench},
+};
+
+const Option &findOption(const std::string &name) {
+  for (const Option &option : table)
+    if (name == option.name)
+      return option;
+  fail("unknown option '" + name + "'; --help lists them all");
+}
+
+/// Reads the option at \p arg and returns the last argument that belongs to it.
+int parseOption(Options &options, int arg, int argc, char **argv) {
+  std::string name = argv[arg];
+  // --name=value, but not for the short -o.
+  size_t equals = name.compare(0, 2, "--") == 0 ? name.find('=') : std::string::npos;
+  const Option &option = findOption(name.substr(0, equals));
+  if (option.flag) {
+    if (equals != std::string::npos)
+      fail(std::string(option.name) + " takes no value");
+    options.*option.flag = true;
+    return arg;
+  }
+  if (equals != std::string::npos) {
+    option.read(options, name.substr(equals + 1));
+    return arg;
+  }
+  if (arg + 1 == argc)
+    fail(name + " wants a value");
+  option.read(options, argv[arg + 1]);
+  return arg + 1;
+}
+
+} // namespace
+
+std::vector<double> parseNumbers(const std::string &text, const std::string &option) {
+  std::vector<double> numbers;
+  for (const std::string &part : split(text, ',')) {
+    double value = 0;
+    const char *begin = part.data() + (part[0] == '+'), *end = part.data() + part.size();
+    auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc() || stop != end)
+      fail(option + ": '" + part + "' is not a number");
+    numbers.push_back(value);
+  }
+  return numbers;
+}
+
+std::optional<Options> parseOptions(int argc, char **argv) {
+  Options options;
+  for (int arg = 1; arg < argc; ++arg) {
+    if (!std::strcmp(argv[arg], "--help") || !std::strcmp(argv[arg], "-h")) {
+      std::fputs(help, stdout);
+      return std::nullopt;
+    }
+    if (!std::strcmp(argv[arg], "--version")) {
+      std::puts("anysl-shade " ANYSL_VERSION);
+      return std::nullopt;
+    }
+    if (argv[arg][0] == '-' && argv[arg][1])
+      arg = parseOption(options, arg, argc, argv);
+    else if (!options.library.empty())
+      fail("one shader library at a time: '" + options.library + "' and '" + argv[arg] + "'");
+    else
+      options.library = argv[arg];
+  }
+  if (options.library.empty())
+    fail("no shader library given; --help explains");
+  if (!options.gridWidth)
+    options.gridWidth = options.gridHeight = !options.image.empty() ? 256 : options.bench ? 64 : 4;
+  return options;
+}
+
+} // namespace anysl::shade

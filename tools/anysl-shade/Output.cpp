@@ -1,0 +1,99 @@
+//===-- tools/anysl-shade/Output.cpp - results as text, JSON, an image ------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-shade/Output.h"
+#include <OpenImageIO/imageio.h>
+#include <cmath>
+#include <cstdio>
+
+namespace anysl::shade {
+namespace {
+
+/// A number that reads back as the same float or double.
+std::string number(double value, bool isDouble) {
+  if (std::isnan(value))
+    return "NaN";
+  if (std::isinf(value))
+    return value < 0 ? "-Infinity" : "Infinity";
+  char text[40];
+  std::snprintf(text, sizeof text, isDouble ? "%.17g" : "%.9g", value);
+  return text;
+}
+
+std::string jsonElement(const double *values, uint32_t components, bool isDouble) {
+  if (components == 1)
+    return number(*values, isDouble);
+  std::string text = "[";
+  for (uint32_t c = 0; c < components; ++c)
+    text += (c ? "," : "") + number(values[c], isDouble);
+  return text + "]";
+}
+
+std::string jsonPoint(const Result &result, size_t point, bool isDouble) {
+  const double *values = &result.values[point * result.perPoint()];
+  if (!result.elements)
+    return jsonElement(values, result.components, isDouble);
+  std::string text = "[";
+  for (uint32_t e = 0; e < result.elements; ++e)
+    text +=
+        (e ? "," : "") + jsonElement(values + e * result.components, result.components, isDouble);
+  return text + "]";
+}
+
+} // namespace
+
+void printText(const Options &options, const std::vector<Result> &results, bool isDouble) {
+  size_t points = size_t(options.gridWidth) * options.gridHeight;
+  for (size_t point = 0; point < points; ++point) {
+    std::string line =
+        std::to_string(point % options.gridWidth) + " " + std::to_string(point / options.gridWidth);
+    for (const Result &result : results) {
+      line += "  " + result.name;
+      for (uint32_t k = 0; k < result.perPoint(); ++k)
+        line += " " + number(result.values[point * result.perPoint() + k], isDouble);
+    }
+    std::puts(line.c_str());
+  }
+}
+
+void printJson(const Options &options, const std::vector<Result> &results, bool isDouble) {
+  size_t points = size_t(options.gridWidth) * options.gridHeight;
+  std::printf("{\"width\":%u,\"height\":%u", options.gridWidth, options.gridHeight);
+  for (const Result &result : results) {
+    std::printf(",\n\"%s\":[", result.name.c_str());
+    for (size_t point = 0; point < points; ++point) {
+      const char *separator = !point ? "" : point % options.gridWidth ? "," : ",\n ";
+      std::printf("%s%s", separator, jsonPoint(result, point, isDouble).c_str());
+    }
+    std::printf("]");
+  }
+  std::puts("}");
+}
+
+void writeImage(const Options &options, const std::vector<Result> &results) {
+  const Result *color = nullptr;
+  for (const Result &result : results)
+    if (result.name == "Ci")
+      color = &result;
+  auto output = OIIO::ImageOutput::create(options.image);
+  if (!output)
+    throw UserError(options.image + ": " + OIIO::geterror());
+  // 8 and 16 bit formats convert by themselves: clamped to [0, 1], no gamma.
+  OIIO::ImageSpec spec(int(options.gridWidth), int(options.gridHeight), 3, OIIO::TypeDesc::FLOAT);
+  spec.attribute("Software", "anysl-shade " ANYSL_VERSION);
+  bool written = output->open(options.image, spec) &&
+                 output->write_image(OIIO::TypeDesc::DOUBLE, color->values.data());
+  std::string problem = written ? "" : output->geterror();
+  if (!output->close() && written)
+    problem = output->geterror();
+  if (!problem.empty()) {
+    std::remove(options.image.c_str());
+    throw UserError("cannot write '" + options.image + "': " + problem);
+  }
+}
+
+} // namespace anysl::shade
