@@ -1,13 +1,14 @@
-//===-- anysl/domain.h - what operators give outside their mathematical domain ------------------===//
+//===-- anysl/domain.h - what operators give outside their mathematical domain
+//------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// The one place for such rules. From finite operands no function here gives NaN or infinity, so that
-// one bad pixel never spreads; NaN operands still give NaN. Sums and products may overflow, as IEEE
-// arithmetic has it.
+// The one place for such rules. From finite operands no function here gives NaN or infinity, so
+// that one bad pixel never spreads; NaN operands still give NaN. Sums and products may overflow, as
+// IEEE arithmetic has it.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -40,9 +41,7 @@ inline anysl_float exponential(anysl_float x) {
 }
 
 /// The natural logarithm; 0 for x <= 0.
-inline anysl_float logarithm(anysl_float x) {
-  return select(x <= 0, anysl_float(0), math::log(x));
-}
+inline anysl_float logarithm(anysl_float x) { return select(x <= 0, anysl_float(0), math::log(x)); }
 
 /// x limited to [-1, 1], where arc sine and arc cosine live.
 inline anysl_float limitToUnit(anysl_float x) {
@@ -50,8 +49,8 @@ inline anysl_float limitToUnit(anysl_float x) {
   return select(x < -1, anysl_float(-1), x);
 }
 
-/// x to the y. Exact for y = 0 (1, whatever x is), 1 and 2. A negative x has powers for integers y only;
-/// others, and 0 to a negative power, give 0. At most the largest finite number in magnitude.
+/// x to the y. Exact for y = 0 (1, whatever x is), 1 and 2. A negative x has powers for integers y
+/// only; others, and 0 to a negative power, give 0. At most the largest finite number in magnitude.
 inline anysl_float power(anysl_float x, anysl_float y) {
   anysl_float half = y * anysl_float(0.5);
   bool isInteger = floorOf(y) == y;
@@ -66,8 +65,8 @@ inline anysl_float power(anysl_float x, anysl_float y) {
   return select(y == 0, anysl_float(1), result);
 }
 
-/// a - b floor(a/b): in [0, b) for b > 0, in (b, 0] for b < 0, 0 for b = 0. Exact while a/b has no more
-/// digits than a real; the result stays in range beyond.
+/// a - b floor(a/b): in [0, b) for b > 0, in (b, 0] for b < 0, 0 for b = 0. Exact while a/b has no
+/// more digits than a real; the result stays in range beyond.
 inline anysl_float modulo(anysl_float a, anysl_float b) {
   uint32_t sign = b < 0;
   anysl_float x = negateIf(a, sign), period = absOf(b);
@@ -87,15 +86,16 @@ inline anysl_float modulo(anysl_float a, anysl_float b) {
   return negateIf(r, sign);
 }
 
-/// The length of (x, y, z), exact to a few units in the last place wherever the length itself is a normal
-/// number: the squares are taken of components brought near 1 by a power of two.
+/// The length of (x, y, z), exact to a few units in the last place wherever the length itself is a
+/// normal number: the squares are taken of components brought near 1 by a power of two.
 inline anysl_float lengthOf(anysl_float x, anysl_float y, anysl_float z) {
   anysl_float largest = absOf(x);
   largest = select(absOf(y) > largest, absOf(y), largest);
   largest = select(absOf(z) > largest, absOf(z), largest);
-  Scale scale = scaleFor(largest);
-  x = x * scale.down, y = y * scale.down, z = z * scale.down;
-  return math::sqrt(x * x + y * y + z * z) * scale.up;
+  anysl_float down, up;
+  scaleFor(largest, down, up);
+  x = x * down, y = y * down, z = z * down;
+  return math::sqrt(x * x + y * y + z * z) * up;
 }
 
 } // namespace anysl

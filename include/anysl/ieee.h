@@ -1,13 +1,15 @@
-//===-- anysl/ieee.h - a real number that is float or double ------------------------------------===//
+//===-- anysl/ieee.h - a real number that is float or double
+//------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// What a real's header promises (runtimes/real/README.md), for `anysl_float` being float or double: the
-// header defines that name and includes this file. Everything is free of branches, so that it widens
-// into straight vector code; a selection is written `a < b ? x : y` such that NaN takes the arm named.
+// What a real's header promises (runtimes/real/README.md), for `anysl_float` being float or double:
+// the header defines that name and includes this file. Everything is free of branches, so that it
+// widens into straight vector code; a selection is written `a < b ? x : y` such that NaN takes the
+// arm named.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -44,7 +46,8 @@ struct IeeeFormat<double> {
   static constexpr double largestInteger = 0x1.fffffffffffffp62;
 };
 
-//===-- Constants -------------------------------------------------------------------------------===//
+//===-- Constants
+//-------------------------------------------------------------------------------===//
 
 using Format = IeeeFormat<anysl_float>;
 inline constexpr anysl_float smallestNormal = Format::smallestNormal;
@@ -54,7 +57,8 @@ inline constexpr anysl_float infinity = __builtin_inff();
 inline constexpr anysl_float spacingBelowOne =
     anysl_float(0.5) / anysl_float(Format::Bits(1) << Format::fractionBits);
 
-//===-- Bits ------------------------------------------------------------------------------------===//
+//===-- Bits
+//------------------------------------------------------------------------------------===//
 
 inline constexpr int signShift = sizeof(anysl_float) * 8 - 1;
 
@@ -66,22 +70,20 @@ inline anysl_float negateIf(anysl_float x, uint32_t sign) {
   return fromBits(bitsOf(x) ^ (Format::Bits(sign) << signShift));
 }
 
-/// A power of two `down` that brings m >= 0 near 1, and its inverse. Both are normal numbers; at the
-/// very ends of the range m * down stays a few binades away from 1.
-struct Scale {
-  anysl_float down, up;
-};
-inline Scale scaleFor(anysl_float m) {
+/// Sets `down` to a power of two that brings m >= 0 near 1, and `up` to its inverse. Both are
+/// normal numbers; at the very ends of the range m * down stays a few binades away from 1.
+inline void scaleFor(anysl_float m, anysl_float &down, anysl_float &up) {
   using Bits = Format::Bits;
   constexpr Bits last = 2 * Format::bias - 1;
   Bits exponent = bitsOf(m) >> Format::fractionBits;
   exponent = exponent < 1 ? 1 : exponent;
   exponent = exponent > last ? last : exponent;
-  return {fromBits((last + 1 - exponent) << Format::fractionBits),
-          fromBits(exponent << Format::fractionBits)};
+  down = fromBits((last + 1 - exponent) << Format::fractionBits);
+  up = fromBits(exponent << Format::fractionBits);
 }
 
-//===-- Selection and rounding ------------------------------------------------------------------===//
+//===-- Selection and rounding
+//------------------------------------------------------------------===//
 
 inline anysl_float select(bool condition, anysl_float a, anysl_float b) {
   return condition ? a : b;
@@ -95,16 +97,20 @@ inline double floorOf(double x) { return __builtin_floor(x); }
 inline float ceilOf(float x) { return __builtin_ceilf(x); }
 inline double ceilOf(double x) { return __builtin_ceil(x); }
 inline float copySign(float magnitude, float sign) { return __builtin_copysignf(magnitude, sign); }
-inline double copySign(double magnitude, double sign) { return __builtin_copysign(magnitude, sign); }
+inline double copySign(double magnitude, double sign) {
+  return __builtin_copysign(magnitude, sign);
+}
 
 /// a b + c with one rounding.
 inline float fusedMultiplyAdd(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
 inline double fusedMultiplyAdd(double a, double b, double c) { return __builtin_fma(a, b, c); }
 
-//===-- Integers --------------------------------------------------------------------------------===//
+//===-- Integers
+//--------------------------------------------------------------------------------===//
 
-/// The integer x (floored already) modulo 2^32. Beyond the integers of the format, and for NaN, one fixed
-/// cell: conversion of such numbers is undefined, and differs between scalar and vector instructions.
+/// The integer x (floored already) modulo 2^32. Beyond the integers of the format, and for NaN, one
+/// fixed cell: conversion of such numbers is undefined, and differs between scalar and vector
+/// instructions.
 inline uint32_t latticeCell(anysl_float x) {
   constexpr anysl_float high = Format::largestInteger, low = -high;
   x = x > low ? x : low;

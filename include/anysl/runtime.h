@@ -1,4 +1,5 @@
-//===-- anysl/runtime.h - what a runtime is compiled against ------------------------------------===//
+//===-- anysl/runtime.h - what a runtime is compiled against
+//------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -6,9 +7,9 @@
 //===------------------------------------------------------------------------------------------===//
 //
 // Declares every operator of the table, the type symbols and the hooks between a runtime and the
-// linker. A runtime includes this header, defines the operators that are its own, and is compiled to
-// bitcode with -Wmissing-prototypes -Werror: a definition whose signature is not the table's does not
-// compile. docs/architecture.md says which kind of module defines what.
+// linker. A runtime includes this header, defines the operators that are its own, and is compiled
+// to bitcode with -Wmissing-prototypes -Werror: a definition whose signature is not the table's
+// does not compile. docs/architecture.md says which kind of module defines what.
 //
 // What `float` is comes from <anysl/real.h>, which each folder of runtimes/real has its own of; it
 // defines `anysl_float` and the functions listed in runtimes/real/README.md.
@@ -24,7 +25,8 @@
 #include <anysl/real.h>
 #include <anysl/vec.h>
 
-//===-- Types -----------------------------------------------------------------------------------===//
+//===-- Types
+//-----------------------------------------------------------------------------------===//
 
 using anysl_color = anysl::Rgb<anysl_float>;
 using anysl_vector = anysl::Vec<anysl_float>;
@@ -43,7 +45,8 @@ extern "C" {
 #define STC_TYPE(id, name, components, meaning) extern anysl_##name anysl_type_##name;
 #include <anysl/Types.def>
 
-//===-- Operators -------------------------------------------------------------------------------===//
+//===-- Operators
+//-------------------------------------------------------------------------------===//
 
 #define None void
 #define Test bool
@@ -77,7 +80,8 @@ extern "C" {
 #undef Number
 #undef Text
 
-//===-- Hooks -----------------------------------------------------------------------------------===//
+//===-- Hooks
+//-----------------------------------------------------------------------------------===//
 
 /// The shader. The linker puts it here.
 void anysl_shader_body(anysl_context *);
@@ -91,8 +95,9 @@ extern const AnyslLayout anysl_runtime_layout;
 
 } // extern "C"
 
-/// Names a wide form of the function that follows, for widening to call instead of the scalar form once
-/// per lane. `mangled` is the vector function ABI's name and `variant` the function that it stands for:
+/// Names a wide form of the function that follows, for widening to call instead of the scalar form
+/// once per lane. `mangled` is the vector function ABI's name and `variant` the function that it
+/// stands for:
 ///
 ///     ANYSL_VECTOR_VARIANT("_ZGV_LLVM_M8lvvl4_renderer_ask", renderer_ask_8)
 ///     void renderer_ask(uint32_t point, float a, float b, float *result);

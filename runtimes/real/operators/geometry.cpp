@@ -1,4 +1,5 @@
-//===-- runtimes/real/operators/geometry.cpp - lengths, directions, transformations -------------===//
+//===-- runtimes/real/operators/geometry.cpp - lengths, directions, transformations
+//-------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -14,13 +15,14 @@ void anysl_length(anysl_float *result, const anysl_vector *v) {
   *result = lengthOf(v->x, v->y, v->z);
 }
 
-/// v / |v|. A power of two brings v near unit length first, so nothing overflows or vanishes on the way; an
-/// infinite component becomes 1 and finite ones beside it 0.
+/// v / |v|. A power of two brings v near unit length first, so nothing overflows or vanishes on the
+/// way; an infinite component becomes 1 and finite ones beside it 0.
 void anysl_normalize(anysl_vector *result, const anysl_vector *v) {
   anysl_float largest = absOf(v->x);
   largest = select(absOf(v->y) > largest, absOf(v->y), largest);
   largest = select(absOf(v->z) > largest, absOf(v->z), largest);
-  anysl_float down = scaleFor(largest).down;
+  anysl_float down, up;
+  scaleFor(largest, down, up);
   bool isInfinite = largest == infinity;
   anysl_vector scaled = each(
       [down, isInfinite](const anysl_float &c) {
@@ -39,7 +41,8 @@ bool anysl_in_cone(const anysl_vector *L, const anysl_vector *axis, const anysl_
   return dot(*L, *axis) >= bound;
 }
 
-void anysl_transform_point(anysl_vector *result, const anysl_matrix *matrix, const anysl_vector *p) {
+void anysl_transform_point(anysl_vector *result, const anysl_matrix *matrix,
+                           const anysl_vector *p) {
   const auto &m = matrix->m;
   anysl_vector q = {p->x * m[0][0] + p->y * m[1][0] + p->z * m[2][0] + m[3][0],
                     p->x * m[0][1] + p->y * m[1][1] + p->z * m[2][1] + m[3][1],
@@ -48,16 +51,18 @@ void anysl_transform_point(anysl_vector *result, const anysl_matrix *matrix, con
   *result = each([w](const anysl_float &c) { return divide(c, w); }, q);
 }
 
-void anysl_transform_vector(anysl_vector *result, const anysl_matrix *matrix, const anysl_vector *v) {
+void anysl_transform_vector(anysl_vector *result, const anysl_matrix *matrix,
+                            const anysl_vector *v) {
   const auto &m = matrix->m;
   *result = {v->x * m[0][0] + v->y * m[1][0] + v->z * m[2][0],
              v->x * m[0][1] + v->y * m[1][1] + v->z * m[2][1],
              v->x * m[0][2] + v->y * m[1][2] + v->z * m[2][2]};
 }
 
-/// n times the inverse transpose of the upper 3 x 3 part: the inverse transpose is the matrix of cofactors
-/// over the determinant. A matrix without an inverse gives 0.
-void anysl_transform_normal(anysl_vector *result, const anysl_matrix *matrix, const anysl_vector *n) {
+/// n times the inverse transpose of the upper 3 x 3 part: the inverse transpose is the matrix of
+/// cofactors over the determinant. A matrix without an inverse gives 0.
+void anysl_transform_normal(anysl_vector *result, const anysl_matrix *matrix,
+                            const anysl_vector *n) {
   const auto &m = matrix->m;
   auto cofactor = [&m](int r, int c) {
     int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;

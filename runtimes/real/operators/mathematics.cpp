@@ -1,4 +1,5 @@
-//===-- runtimes/real/operators/mathematics.cpp - functions of real numbers ---------------------===//
+//===-- runtimes/real/operators/mathematics.cpp - functions of real numbers
+//---------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -16,7 +17,8 @@ using namespace anysl;
 
 namespace {
 
-/// If one operand is NaN, both give the other one or NaN alike at every width: a comparison decides.
+/// If one operand is NaN, both give the other one or NaN alike at every width: a comparison
+/// decides.
 constexpr auto smaller = [](const anysl_float &a, const anysl_float &b) {
   return select(b < a, b, a);
 };
@@ -32,14 +34,20 @@ void anysl_abs(anysl_float *result, const anysl_float *x) { *result = absOf(*x);
 void anysl_floor(anysl_float *result, const anysl_float *x) { *result = floorOf(*x); }
 void anysl_ceil(anysl_float *result, const anysl_float *x) { *result = ceilOf(*x); }
 void anysl_sqrt(anysl_float *result, const anysl_float *x) { *result = squareRoot(*x); }
-void anysl_inversesqrt(anysl_float *result, const anysl_float *x) { *result = inverseSquareRoot(*x); }
+void anysl_inversesqrt(anysl_float *result, const anysl_float *x) {
+  *result = inverseSquareRoot(*x);
+}
 void anysl_exp(anysl_float *result, const anysl_float *x) { *result = exponential(*x); }
 void anysl_log(anysl_float *result, const anysl_float *x) { *result = logarithm(*x); }
 void anysl_sin(anysl_float *result, const anysl_float *x) { *result = math::sin(*x); }
 void anysl_cos(anysl_float *result, const anysl_float *x) { *result = math::cos(*x); }
 void anysl_tan(anysl_float *result, const anysl_float *x) { *result = math::tan(*x); }
-void anysl_asin(anysl_float *result, const anysl_float *x) { *result = math::asin(limitToUnit(*x)); }
-void anysl_acos(anysl_float *result, const anysl_float *x) { *result = math::acos(limitToUnit(*x)); }
+void anysl_asin(anysl_float *result, const anysl_float *x) {
+  *result = math::asin(limitToUnit(*x));
+}
+void anysl_acos(anysl_float *result, const anysl_float *x) {
+  *result = math::acos(limitToUnit(*x));
+}
 void anysl_atan(anysl_float *result, const anysl_float *x) { *result = math::atan(*x); }
 
 void anysl_atan2(anysl_float *result, const anysl_float *y, const anysl_float *x) {

@@ -1,4 +1,5 @@
-//===-- runtimes/real/operators/matrix.cpp - products, inverses and transformations as matrices -===//
+//===-- runtimes/real/operators/matrix.cpp - products, inverses and transformations as matrices
+//-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -22,8 +23,8 @@ anysl_matrix product(const anysl_matrix &a, const anysl_matrix &b) {
   return result;
 }
 
-/// The 2 x 2 determinants of the upper and of the lower two rows, from which both the determinant and the
-/// cofactors follow (Laplace's expansion by complementary minors).
+/// The 2 x 2 determinants of the upper and of the lower two rows, from which both the determinant
+/// and the cofactors follow (Laplace's expansion by complementary minors).
 struct Minors {
   anysl_float upper[6], lower[6];
 
@@ -52,14 +53,22 @@ anysl_matrix inverseOf(const anysl_matrix &a) {
   const auto &s = minors.upper, &c = minors.lower;
   anysl_float determinant = minors.determinant();
   anysl_matrix adjugate = {{
-      {m[1][1] * c[5] - m[1][2] * c[4] + m[1][3] * c[3], m[0][2] * c[4] - m[0][1] * c[5] - m[0][3] * c[3],
-       m[3][1] * s[5] - m[3][2] * s[4] + m[3][3] * s[3], m[2][2] * s[4] - m[2][1] * s[5] - m[2][3] * s[3]},
-      {m[1][2] * c[2] - m[1][0] * c[5] - m[1][3] * c[1], m[0][0] * c[5] - m[0][2] * c[2] + m[0][3] * c[1],
-       m[3][2] * s[2] - m[3][0] * s[5] - m[3][3] * s[1], m[2][0] * s[5] - m[2][2] * s[2] + m[2][3] * s[1]},
-      {m[1][0] * c[4] - m[1][1] * c[2] + m[1][3] * c[0], m[0][1] * c[2] - m[0][0] * c[4] - m[0][3] * c[0],
-       m[3][0] * s[4] - m[3][1] * s[2] + m[3][3] * s[0], m[2][1] * s[2] - m[2][0] * s[4] - m[2][3] * s[0]},
-      {m[1][1] * c[1] - m[1][0] * c[3] - m[1][2] * c[0], m[0][0] * c[3] - m[0][1] * c[1] + m[0][2] * c[0],
-       m[3][1] * s[1] - m[3][0] * s[3] - m[3][2] * s[0], m[2][0] * s[3] - m[2][1] * s[1] + m[2][2] * s[0]},
+      {m[1][1] * c[5] - m[1][2] * c[4] + m[1][3] * c[3],
+       m[0][2] * c[4] - m[0][1] * c[5] - m[0][3] * c[3],
+       m[3][1] * s[5] - m[3][2] * s[4] + m[3][3] * s[3],
+       m[2][2] * s[4] - m[2][1] * s[5] - m[2][3] * s[3]},
+      {m[1][2] * c[2] - m[1][0] * c[5] - m[1][3] * c[1],
+       m[0][0] * c[5] - m[0][2] * c[2] + m[0][3] * c[1],
+       m[3][2] * s[2] - m[3][0] * s[5] - m[3][3] * s[1],
+       m[2][0] * s[5] - m[2][2] * s[2] + m[2][3] * s[1]},
+      {m[1][0] * c[4] - m[1][1] * c[2] + m[1][3] * c[0],
+       m[0][1] * c[2] - m[0][0] * c[4] - m[0][3] * c[0],
+       m[3][0] * s[4] - m[3][1] * s[2] + m[3][3] * s[0],
+       m[2][1] * s[2] - m[2][0] * s[4] - m[2][3] * s[0]},
+      {m[1][1] * c[1] - m[1][0] * c[3] - m[1][2] * c[0],
+       m[0][0] * c[3] - m[0][1] * c[1] + m[0][2] * c[0],
+       m[3][1] * s[1] - m[3][0] * s[3] - m[3][2] * s[0],
+       m[2][0] * s[3] - m[2][1] * s[1] + m[2][2] * s[0]},
   }};
   return each([determinant](const anysl_float &element) { return divide(element, determinant); },
               adjugate);
@@ -81,8 +90,8 @@ void anysl_determinant(anysl_float *result, const anysl_matrix *a) {
 
 void anysl_inverse(anysl_matrix *result, const anysl_matrix *a) { *result = inverseOf(*a); }
 
-// The three below put their transformation before the matrix, as the interface's Translate, Rotate and
-// Scale do: a point, a row vector, meets it first.
+// The three below put their transformation before the matrix, as the interface's Translate, Rotate
+// and Scale do: a point, a row vector, meets it first.
 
 void anysl_translate(anysl_matrix *result, const anysl_matrix *a, const anysl_vector *t) {
   anysl_float zero(0), one(1);

@@ -1,14 +1,16 @@
-//===-- runtimes/real/operators/noise.cpp - gradient noise, periodic noise and cell noise -------===//
+//===-- runtimes/real/operators/noise.cpp - gradient noise, periodic noise and cell noise
+//-------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Gradient noise after Perlin, "Improving Noise" (2002): a random gradient on each point of the integer
-// lattice, and a quintic blend of what the corners of a cell give. Gradients come from a hash of the
-// lattice point rather than a table of permutations. A colour or vector takes its three channels
-// from different bits of one hash, so three cost little more than one; the first is the noise of type float.
+// Gradient noise after Perlin, "Improving Noise" (2002): a random gradient on each point of the
+// integer lattice, and a quintic blend of what the corners of a cell give. Gradients come from a
+// hash of the lattice point rather than a table of permutations. A colour or vector takes its three
+// channels from different bits of one hash, so three cost little more than one; the first is the
+// noise of type float.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -20,12 +22,17 @@ using namespace anysl;
 
 namespace {
 
-//===-- Lattice ---------------------------------------------------------------------------------===//
+//===-- Lattice
+//---------------------------------------------------------------------------------===//
 
-/// A lattice point's key is the sum of its coordinates times these, so a neighbour costs one addition.
+/// A lattice point's key is the sum of its coordinates times these, so a neighbour costs one
+/// addition.
 constexpr uint32_t axisKey[4] = {0x8da6b343u, 0xd8163841u, 0xcb1ab31fu, 0x165667b1u};
 
-/// The cell of an N-dimensional point: along each axis the keys of its two planes, and how far in it lies.
+// Structures are filled through a reference: <anysl/vec.h> says why.
+
+/// The cell of an N-dimensional point: along each axis the keys of its two planes, and how far in
+/// it lies.
 template <int N>
 struct Cell {
   uint32_t low[N], high[N];
@@ -44,21 +51,18 @@ struct Point {
 };
 
 template <int N>
-Cell<N> cellOf(const Point<N> &p) {
-  Cell<N> cell;
+void locate(Cell<N> &cell, const Point<N> &p) {
   repeat<N>([&](auto axis) {
     anysl_float floored = floorOf(p.coordinate[axis]);
     cell.low[axis] = latticeCell(floored) * axisKey[axis];
     cell.high[axis] = cell.low[axis] + axisKey[axis];
     cell.setFraction(axis, p.coordinate[axis] - floored);
   });
-  return cell;
 }
 
 /// The same on a lattice that repeats. A period is floored; one below 1 (or NaN) counts as 1.
 template <int N>
-Cell<N> cellOf(const Point<N> &p, const Point<N> &periods) {
-  Cell<N> cell;
+void locate(Cell<N> &cell, const Point<N> &p, const Point<N> &periods) {
   repeat<N>([&](auto axis) {
     anysl_float floored = floorOf(p.coordinate[axis]);
     anysl_float period = floorOf(periods.coordinate[axis]);
@@ -69,11 +73,12 @@ Cell<N> cellOf(const Point<N> &p, const Point<N> &periods) {
     cell.high[axis] = latticeCell(high) * axisKey[axis];
     cell.setFraction(axis, p.coordinate[axis] - floored);
   });
-  return cell;
 }
 
-//===-- Gradients -------------------------------------------------------------------------------===//
-// gradient(h, offset): the gradient that the low bits of h name, times the offset from its lattice point.
+//===-- Gradients
+//-------------------------------------------------------------------------------===//
+// gradient(h, offset): the gradient that the low bits of h name, times the offset from its lattice
+// point.
 
 /// Slopes spread over [-2, 2).
 anysl_float gradient(uint32_t h, const Point<1> &offset) {
@@ -107,11 +112,13 @@ anysl_float gradient(uint32_t h, const Point<4> &offset) {
   return negateIf(a, h) + negateIf(b, h >> 1) + negateIf(c, h >> 2);
 }
 
-/// Half over the largest sum that any choice of gradients reaches: 1, 0.755585, 1.036354 and 1.536582 for
-/// one to four dimensions, and a little less to be safe from rounding. Noise is then within [0, 1].
+/// Half over the largest sum that any choice of gradients reaches: 1, 0.755585, 1.036354
+/// and 1.536582 for one to four dimensions, and a little less to be safe from rounding. Noise is
+/// then within [0, 1].
 constexpr double noiseScale[5] = {0, 0.499999, 0.661737, 0.482460, 0.325397};
 
-//===-- Blending --------------------------------------------------------------------------------===//
+//===-- Blending
+//--------------------------------------------------------------------------------===//
 
 /// Noise of one or three channels, in [-sup, sup].
 template <int Channels>
@@ -119,11 +126,10 @@ struct Values {
   anysl_float channel[Channels];
 };
 
-/// What the corners give whose position along axes Axes and above is chosen already: `key` is the sum of the
-/// chosen planes' keys, and bit k of Corner says that the far plane of axis k was.
+/// What the corners give whose position along axes Axes and above is chosen already: `key` is the
+/// sum of the chosen planes' keys, and bit k of Corner says that the far plane of axis k was.
 template <int Channels, int N, int Axes = N, int Corner = 0>
-Values<Channels> blend(const Cell<N> &cell, uint32_t key = 0) {
-  Values<Channels> result;
+void blend(Values<Channels> &result, const Cell<N> &cell, uint32_t key = 0) {
   if constexpr (Axes == 0) {
     Point<N> offset;
     repeat<N>([&](auto axis) {
@@ -134,35 +140,21 @@ Values<Channels> blend(const Cell<N> &cell, uint32_t key = 0) {
     repeat<Channels>([&](auto k) { result.channel[k] = gradient(h >> (10 * k), offset); });
   } else {
     constexpr int axis = Axes - 1;
-    auto near = blend<Channels, N, axis, Corner>(cell, key + cell.low[axis]);
-    auto far = blend<Channels, N, axis, Corner | (1 << axis)>(cell, key + cell.high[axis]);
+    Values<Channels> near, far;
+    blend<Channels, N, axis, Corner>(near, cell, key + cell.low[axis]);
+    blend<Channels, N, axis, Corner | (1 << axis)>(far, cell, key + cell.high[axis]);
     repeat<Channels>([&](auto k) {
-      result.channel[k] =
-          near.channel[k] + cell.blend[axis] * (far.channel[k] - near.channel[k]);
+      result.channel[k] = near.channel[k] + cell.blend[axis] * (far.channel[k] - near.channel[k]);
     });
   }
-  return result;
 }
 
-template <int N>
-Values<1> cellValue(const Point<N> &p, Constant<1>) {
-  uint32_t key = 0;
-  repeat<N>([&](auto axis) { key += latticeCell(floorOf(p.coordinate[axis])) * axisKey[axis]; });
-  return {{unitFromBits(mixBits(key))}};
-}
+//===-- Results
+//---------------------------------------------------------------------------------===//
 
-template <int N>
-Values<3> cellValue(const Point<N> &p, Constant<3>) {
-  uint32_t key = 0;
-  repeat<N>([&](auto axis) { key += latticeCell(floorOf(p.coordinate[axis])) * axisKey[axis]; });
-  return {{unitFromBits(mixBits(key)), unitFromBits(mixBits(key + goldenStep)),
-           unitFromBits(mixBits(key + 2 * goldenStep))}};
-}
-
-//===-- Results ---------------------------------------------------------------------------------===//
-
-template <typename Result>
-constexpr int channelsOf = sizeof(Result) / sizeof(anysl_float);
+constexpr int channelsOf(anysl_float *) { return 1; }
+constexpr int channelsOf(anysl_color *) { return 3; }
+constexpr int channelsOf(anysl_vector *) { return 3; }
 
 void put(anysl_float *result, const Values<1> &v) { *result = v.channel[0]; }
 void put(anysl_color *result, const Values<3> &v) {
@@ -174,8 +166,10 @@ void put(anysl_vector *result, const Values<3> &v) {
 
 template <int N, typename Result>
 void putBlended(Result *result, const Cell<N> &cell) {
-  auto values = blend<channelsOf<Result>>(cell);
-  repeat<channelsOf<Result>>([&](auto k) {
+  constexpr int channels = channelsOf(static_cast<Result *>(nullptr));
+  Values<channels> values;
+  blend(values, cell);
+  repeat<channels>([&](auto k) {
     values.channel[k] = values.channel[k] * anysl_float(noiseScale[N]) + anysl_float(0.5);
   });
   put(result, values);
@@ -183,62 +177,70 @@ void putBlended(Result *result, const Cell<N> &cell) {
 
 template <int N, typename Result>
 void noise(Result *result, const Point<N> &p) {
-  putBlended(result, cellOf(p));
+  Cell<N> cell;
+  locate(cell, p);
+  putBlended(result, cell);
 }
 
 template <int N, typename Result>
 void periodicNoise(Result *result, const Point<N> &p, const Point<N> &periods) {
-  putBlended(result, cellOf(p, periods));
+  Cell<N> cell;
+  locate(cell, p, periods);
+  putBlended(result, cell);
 }
 
 template <int N, typename Result>
 void cellNoise(Result *result, const Point<N> &p) {
-  put(result, cellValue(p, Constant<channelsOf<Result>>{}));
+  constexpr int channels = channelsOf(static_cast<Result *>(nullptr));
+  uint32_t key = 0;
+  repeat<N>([&](auto axis) { key += latticeCell(floorOf(p.coordinate[axis])) * axisKey[axis]; });
+  Values<channels> values;
+  repeat<channels>(
+      [&](auto k) { values.channel[k] = unitFromBits(mixBits(key + k * goldenStep)); });
+  put(result, values);
 }
 
-Point<1> point(const anysl_float *x) { return {{*x}}; }
-Point<2> point(const anysl_float *x, const anysl_float *y) { return {{*x, *y}}; }
-Point<3> point(const anysl_vector *p) { return {{p->x, p->y, p->z}}; }
-Point<4> point(const anysl_vector *p, const anysl_float *t) { return {{p->x, p->y, p->z, *t}}; }
-
-} // namespace
-
-//===-- Operators -------------------------------------------------------------------------------===//
+//===-- Operators
+//-------------------------------------------------------------------------------===//
 
 #define NOISE_OPERATORS(T)                                                                         \
-  void anysl_noise_##T##_1(anysl_##T *result, const anysl_float *x) { noise(result, point(x)); }   \
-  void anysl_noise_##T##_2(anysl_##T *result, const anysl_float *x, const anysl_float *y) {        \
-    noise(result, point(x, y));                                                                    \
+  void anysl_noise_##T##_1(anysl_##T *result, const anysl_float *x) {                              \
+    noise(result, Point<1>{{*x}});                                                                 \
   }                                                                                                \
-  void anysl_noise_##T##_3(anysl_##T *result, const anysl_vector *p) { noise(result, point(p)); }  \
+  void anysl_noise_##T##_2(anysl_##T *result, const anysl_float *x, const anysl_float *y) {        \
+    noise(result, Point<2>{{*x, *y}});                                                             \
+  }                                                                                                \
+  void anysl_noise_##T##_3(anysl_##T *result, const anysl_vector *p) {                             \
+    noise(result, Point<3>{{p->x, p->y, p->z}});                                                   \
+  }                                                                                                \
   void anysl_noise_##T##_4(anysl_##T *result, const anysl_vector *p, const anysl_float *t) {       \
-    noise(result, point(p, t));                                                                    \
+    noise(result, Point<4>{{p->x, p->y, p->z, *t}});                                               \
   }                                                                                                \
   void anysl_cellnoise_##T##_1(anysl_##T *result, const anysl_float *x) {                          \
-    cellNoise(result, point(x));                                                                   \
+    cellNoise(result, Point<1>{{*x}});                                                             \
   }                                                                                                \
   void anysl_cellnoise_##T##_2(anysl_##T *result, const anysl_float *x, const anysl_float *y) {    \
-    cellNoise(result, point(x, y));                                                                \
+    cellNoise(result, Point<2>{{*x, *y}});                                                         \
   }                                                                                                \
   void anysl_cellnoise_##T##_3(anysl_##T *result, const anysl_vector *p) {                         \
-    cellNoise(result, point(p));                                                                   \
+    cellNoise(result, Point<3>{{p->x, p->y, p->z}});                                               \
   }                                                                                                \
   void anysl_cellnoise_##T##_4(anysl_##T *result, const anysl_vector *p, const anysl_float *t) {   \
-    cellNoise(result, point(p, t));                                                                \
+    cellNoise(result, Point<4>{{p->x, p->y, p->z, *t}});                                           \
   }                                                                                                \
   void anysl_pnoise_##T##_1(anysl_##T *result, const anysl_float *x, const anysl_float *px) {      \
-    periodicNoise(result, point(x), point(px));                                                    \
+    periodicNoise(result, Point<1>{{*x}}, Point<1>{{*px}});                                        \
   }                                                                                                \
   void anysl_pnoise_##T##_2(anysl_##T *result, const anysl_float *x, const anysl_float *y,         \
                             const anysl_float *px, const anysl_float *py) {                        \
-    periodicNoise(result, point(x, y), point(px, py));                                             \
+    periodicNoise(result, Point<2>{{*x, *y}}, Point<2>{{*px, *py}});                               \
   }                                                                                                \
   void anysl_pnoise_##T##_3(anysl_##T *result, const anysl_vector *p, const anysl_vector *pp) {    \
-    periodicNoise(result, point(p), point(pp));                                                    \
+    periodicNoise(result, Point<3>{{p->x, p->y, p->z}}, Point<3>{{pp->x, pp->y, pp->z}});          \
   }                                                                                                \
   void anysl_pnoise_##T##_4(anysl_##T *result, const anysl_vector *p, const anysl_float *t,        \
                             const anysl_vector *pp, const anysl_float *pt) {                       \
-    periodicNoise(result, point(p, t), point(pp, pt));                                             \
+    periodicNoise(result, Point<4>{{p->x, p->y, p->z, *t}}, Point<4>{{pp->x, pp->y, pp->z, *pt}}); \
   }
 
 NOISE_OPERATORS(float)

@@ -1,0 +1,109 @@
+//===-- anysl/standard/inputs.h - globals and parameters given point by point
+//-------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// To be included where a runtime has defined, in an unnamed namespace, where a component lies:
+//
+//     anysl_float &global(const anysl_context *, uint32_t id, int component);
+//     template <int components>
+//     anysl_float &varying(const anysl_context *, uint32_t id, uint32_t element, int component);
+//     bool isWanted(const anysl_context *, uint32_t id);   // whether the host gave a parameter an
+//     array
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_STANDARD_INPUTS_H
+#define ANYSL_STANDARD_INPUTS_H
+
+//===-- Globals
+//---------------------------------------------------------------------------------===//
+
+void anysl_load_global_float(anysl_float *result, anysl_context *context, uint32_t id) {
+  *result = global(context, id, 0);
+}
+
+void anysl_load_global_color(anysl_color *result, anysl_context *context, uint32_t id) {
+  *result = {global(context, id, 0), global(context, id, 1), global(context, id, 2)};
+}
+
+void anysl_load_global_vector(anysl_vector *result, anysl_context *context, uint32_t id) {
+  *result = {global(context, id, 0), global(context, id, 1), global(context, id, 2)};
+}
+
+void anysl_store_global_float(anysl_context *context, uint32_t id, const anysl_float *a) {
+  global(context, id, 0) = *a;
+}
+
+void anysl_store_global_color(anysl_context *context, uint32_t id, const anysl_color *a) {
+  global(context, id, 0) = a->r;
+  global(context, id, 1) = a->g;
+  global(context, id, 2) = a->b;
+}
+
+void anysl_store_global_vector(anysl_context *context, uint32_t id, const anysl_vector *a) {
+  global(context, id, 0) = a->x;
+  global(context, id, 1) = a->y;
+  global(context, id, 2) = a->z;
+}
+
+//===-- Parameters
+//------------------------------------------------------------------------------===//
+
+void anysl_load_varying_float(anysl_float *result, anysl_context *context, uint32_t id,
+                              uint32_t element) {
+  *result = varying<1>(context, id, element, 0);
+}
+
+void anysl_load_varying_color(anysl_color *result, anysl_context *context, uint32_t id,
+                              uint32_t element) {
+  *result = {varying<3>(context, id, element, 0), varying<3>(context, id, element, 1),
+             varying<3>(context, id, element, 2)};
+}
+
+void anysl_load_varying_vector(anysl_vector *result, anysl_context *context, uint32_t id,
+                               uint32_t element) {
+  *result = {varying<3>(context, id, element, 0), varying<3>(context, id, element, 1),
+             varying<3>(context, id, element, 2)};
+}
+
+void anysl_load_varying_matrix(anysl_matrix *result, anysl_context *context, uint32_t id,
+                               uint32_t element) {
+  anysl::repeat<16>(
+      [&](auto k) { result->m[k / 4][k % 4] = varying<16>(context, id, element, k); });
+}
+
+void anysl_store_varying_float(anysl_context *context, uint32_t id, uint32_t element,
+                               const anysl_float *a) {
+  if (isWanted(context, id))
+    varying<1>(context, id, element, 0) = *a;
+}
+
+void anysl_store_varying_color(anysl_context *context, uint32_t id, uint32_t element,
+                               const anysl_color *a) {
+  if (!isWanted(context, id))
+    return;
+  varying<3>(context, id, element, 0) = a->r;
+  varying<3>(context, id, element, 1) = a->g;
+  varying<3>(context, id, element, 2) = a->b;
+}
+
+void anysl_store_varying_vector(anysl_context *context, uint32_t id, uint32_t element,
+                                const anysl_vector *a) {
+  if (!isWanted(context, id))
+    return;
+  varying<3>(context, id, element, 0) = a->x;
+  varying<3>(context, id, element, 1) = a->y;
+  varying<3>(context, id, element, 2) = a->z;
+}
+
+void anysl_store_varying_matrix(anysl_context *context, uint32_t id, uint32_t element,
+                                const anysl_matrix *a) {
+  if (isWanted(context, id))
+    anysl::repeat<16>([&](auto k) { varying<16>(context, id, element, k) = a->m[k / 4][k % 4]; });
+}
+
+#endif // ANYSL_STANDARD_INPUTS_H

@@ -1,0 +1,41 @@
+//===-- runtimes/packet/inputs.cpp - globals and varying parameters as structures of arrays
+//-----===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Component c of a point is array c's element number `point`: consecutive points lie next to each
+// other, so widened code loads and stores whole vectors.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include <anysl/standard/context.h>
+
+using namespace anysl;
+
+namespace {
+
+anysl_float &global(const anysl_context *context, uint32_t id, int component) {
+  auto *array = static_cast<anysl_float *>(context->args->globals[globalComponent[id] + component]);
+  return array[size_t(context->point) * globalStep[id]];
+}
+
+/// Component number `component` of an element of a parameter given point by point, where a type has
+/// `components` of them.
+template <int components>
+anysl_float &varying(const anysl_context *context, uint32_t id, uint32_t element, int component) {
+  const AnyslShadeArgs *args = context->args;
+  auto *values = static_cast<anysl_float *>(args->param_data[id]);
+  return values[(size_t(element) * components + component) * args->data_stride + context->point];
+}
+
+bool isWanted(const anysl_context *context, uint32_t id) {
+  void *const *data = context->args->param_data;
+  return data && data[id];
+}
+
+} // namespace
+
+#include <anysl/standard/inputs.h>
