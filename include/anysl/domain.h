@@ -1,5 +1,4 @@
-//===-- anysl/domain.h - what operators give outside their mathematical domain
-//------------------===//
+//===-- anysl/domain.h - what operators give outside their mathematical domain ----------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- anysl/hash.h - integers out of integers, evenly spread
-//----------------------------------===//
+//===-- anysl/hash.h - integers out of integers, evenly spread --------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

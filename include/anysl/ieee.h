@@ -1,5 +1,4 @@
-//===-- anysl/ieee.h - a real number that is float or double
-//------------------------------------===//
+//===-- anysl/ieee.h - a real number that is float or double ----------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -46,8 +45,7 @@ struct IeeeFormat<double> {
   static constexpr double largestInteger = 0x1.fffffffffffffp62;
 };
 
-//===-- Constants
-//-------------------------------------------------------------------------------===//
+//===-- Constants -----------------------------------------------------------------------------===//
 
 using Format = IeeeFormat<anysl_float>;
 inline constexpr anysl_float smallestNormal = Format::smallestNormal;
@@ -57,8 +55,7 @@ inline constexpr anysl_float infinity = __builtin_inff();
 inline constexpr anysl_float spacingBelowOne =
     anysl_float(0.5) / anysl_float(Format::Bits(1) << Format::fractionBits);
 
-//===-- Bits
-//------------------------------------------------------------------------------------===//
+//===-- Bits ----------------------------------------------------------------------------------===//
 
 inline constexpr int signShift = sizeof(anysl_float) * 8 - 1;
 
@@ -82,8 +79,7 @@ inline void scaleFor(anysl_float m, anysl_float &down, anysl_float &up) {
   up = fromBits(exponent << Format::fractionBits);
 }
 
-//===-- Selection and rounding
-//------------------------------------------------------------------===//
+//===-- Selection and rounding ----------------------------------------------------------------===//
 
 inline anysl_float select(bool condition, anysl_float a, anysl_float b) {
   return condition ? a : b;
@@ -105,8 +101,7 @@ inline double copySign(double magnitude, double sign) {
 inline float fusedMultiplyAdd(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
 inline double fusedMultiplyAdd(double a, double b, double c) { return __builtin_fma(a, b, c); }
 
-//===-- Integers
-//--------------------------------------------------------------------------------===//
+//===-- Integers ------------------------------------------------------------------------------===//
 
 /// The integer x (floored already) modulo 2^32. Beyond the integers of the format, and for NaN, one
 /// fixed cell: conversion of such numbers is undefined, and differs between scalar and vector

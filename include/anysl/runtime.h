@@ -1,5 +1,4 @@
-//===-- anysl/runtime.h - what a runtime is compiled against
-//------------------------------------===//
+//===-- anysl/runtime.h - what a runtime is compiled against ----------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -25,8 +24,7 @@
 #include <anysl/real.h>
 #include <anysl/vec.h>
 
-//===-- Types
-//-----------------------------------------------------------------------------------===//
+//===-- Types ---------------------------------------------------------------------------------===//
 
 using anysl_color = anysl::Rgb<anysl_float>;
 using anysl_vector = anysl::Vec<anysl_float>;
@@ -45,8 +43,7 @@ extern "C" {
 #define STC_TYPE(id, name, components, meaning) extern anysl_##name anysl_type_##name;
 #include <anysl/Types.def>
 
-//===-- Operators
-//-------------------------------------------------------------------------------===//
+//===-- Operators -----------------------------------------------------------------------------===//
 
 #define None void
 #define Test bool
@@ -80,8 +77,7 @@ extern "C" {
 #undef Number
 #undef Text
 
-//===-- Hooks
-//-----------------------------------------------------------------------------------===//
+//===-- Hooks ---------------------------------------------------------------------------------===//
 
 /// The shader. The linker puts it here.
 void anysl_shader_body(anysl_context *);

@@ -1,5 +1,4 @@
-//===-- anysl/vec.h - vectors, colours and matrices over any real number
-//------------------------===//
+//===-- anysl/vec.h - vectors, colours and matrices over any real number ----------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -17,8 +16,7 @@
 
 namespace anysl {
 
-//===-- Unrolled loops
-//--------------------------------------------------------------------------===//
+//===-- Unrolled loops ------------------------------------------------------------------------===//
 // Nothing is left of these after inlining, whichever passes run: no array keeps a computed index.
 
 template <int N>
@@ -41,8 +39,7 @@ inline void repeat(F &&f) {
   __make_integer_seq<Sequence, int, N>::call(f);
 }
 
-//===-- Types
-//-----------------------------------------------------------------------------------===//
+//===-- Types ---------------------------------------------------------------------------------===//
 
 // Vec and Rgb have copy constructors of their own, and so are passed by address. By value, their
 // numbers would be packed into pairs, and widening would have to take the pairs apart again; of an
@@ -82,8 +79,7 @@ struct Mat {
   Real m[4][4];
 };
 
-//===-- Arithmetic
-//------------------------------------------------------------------------------===//
+//===-- Arithmetic ----------------------------------------------------------------------------===//
 
 template <typename Real>
 inline Vec<Real> operator+(const Vec<Real> &a, const Vec<Real> &b) {
@@ -115,8 +111,7 @@ inline Rgb<Real> operator*(const Rgb<Real> &a, const Real &s) {
   return {a.r * s, a.g * s, a.b * s};
 }
 
-//===-- Component by component
-//------------------------------------------------------------------===//
+//===-- Component by component ----------------------------------------------------------------===//
 
 /// f of each component of one, two or three operands.
 template <typename Real, typename F>

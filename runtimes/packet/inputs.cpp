@@ -1,5 +1,4 @@
-//===-- runtimes/packet/inputs.cpp - globals and varying parameters as structures of arrays
-//-----===//
+//===-- runtimes/packet/inputs.cpp - globals and varying parameters as structures of arrays ---===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- runtimes/packet/trace.cpp - rays, one by one and in packets
-//-----------------------------===//
+//===-- runtimes/packet/trace.cpp - rays, one by one and in packets ---------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -49,8 +48,7 @@ constexpr double farAway = 1e30; // what a ray that the renderer does not trace 
 
 } // namespace
 
-//===-- One point
-//-------------------------------------------------------------------------------===//
+//===-- One point -----------------------------------------------------------------------------===//
 
 namespace {
 
@@ -105,8 +103,7 @@ float packet_trace_distance(const AnyslShadeArgs *args, uint32_t point, float px
                    : farAway);
 }
 
-//===-- W points
-//--------------------------------------------------------------------------------===//
+//===-- W points ------------------------------------------------------------------------------===//
 
 namespace {
 
@@ -183,8 +180,7 @@ WIDE_FORMS(4, uint8_t)
 WIDE_FORMS(8, uint8_t)
 WIDE_FORMS(16, uint16_t)
 
-//===-- Operators
-//-------------------------------------------------------------------------------===//
+//===-- Operators -----------------------------------------------------------------------------===//
 
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {

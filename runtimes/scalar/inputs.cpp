@@ -1,5 +1,4 @@
-//===-- runtimes/scalar/inputs.cpp - globals and varying parameters as arrays of structures
-//-----===//
+//===-- runtimes/scalar/inputs.cpp - globals and varying parameters as arrays of structures ---===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

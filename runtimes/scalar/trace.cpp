@@ -1,5 +1,4 @@
-//===-- runtimes/scalar/trace.cpp - rays, one by one
-//--------------------------------------------===//
+//===-- runtimes/scalar/trace.cpp - rays, one by one ------------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

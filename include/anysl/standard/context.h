@@ -1,5 +1,4 @@
-//===-- anysl/standard/context.h - the shading context of a runtime over AnyslShadeArgs
-//---------===//
+//===-- anysl/standard/context.h - the shading context of a runtime over AnyslShadeArgs -------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

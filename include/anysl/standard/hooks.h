@@ -1,5 +1,4 @@
-//===-- anysl/standard/hooks.h - from a batch to the shader's own functions
-//---------------------===//
+//===-- anysl/standard/hooks.h - from a batch to the shader's own functions -------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- anysl/standard/inputs.h - globals and parameters given point by point
-//-------------------===//
+//===-- anysl/standard/inputs.h - globals and parameters given point by point -----------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -19,8 +18,7 @@
 #ifndef ANYSL_STANDARD_INPUTS_H
 #define ANYSL_STANDARD_INPUTS_H
 
-//===-- Globals
-//---------------------------------------------------------------------------------===//
+//===-- Globals -------------------------------------------------------------------------------===//
 
 void anysl_load_global_float(anysl_float *result, anysl_context *context, uint32_t id) {
   *result = global(context, id, 0);
@@ -50,8 +48,7 @@ void anysl_store_global_vector(anysl_context *context, uint32_t id, const anysl_
   global(context, id, 2) = a->z;
 }
 
-//===-- Parameters
-//------------------------------------------------------------------------------===//
+//===-- Parameters ----------------------------------------------------------------------------===//
 
 void anysl_load_varying_float(anysl_float *result, anysl_context *context, uint32_t id,
                               uint32_t element) {

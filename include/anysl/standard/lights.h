@@ -1,5 +1,4 @@
-//===-- anysl/standard/lights.h - the lights of a batch
-//-----------------------------------------===//
+//===-- anysl/standard/lights.h - the lights of a batch ---------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

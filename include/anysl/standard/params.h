@@ -1,5 +1,4 @@
-//===-- anysl/standard/params.h - uniform parameters, in cells
-//----------------------------------===//
+//===-- anysl/standard/params.h - uniform parameters, in cells --------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

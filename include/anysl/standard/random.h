@@ -1,5 +1,4 @@
-//===-- anysl/standard/random.h - each point's own sequence of random numbers
-//-------------------===//
+//===-- anysl/standard/random.h - each point's own sequence of random numbers -----------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

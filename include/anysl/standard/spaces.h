@@ -1,5 +1,4 @@
-//===-- anysl/standard/spaces.h - named coordinate systems
-//--------------------------------------===//
+//===-- anysl/standard/spaces.h - named coordinate systems ------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

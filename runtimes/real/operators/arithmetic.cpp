@@ -1,5 +1,4 @@
-//===-- runtimes/real/operators/arithmetic.cpp - sums, products, quotients
-//----------------------===//
+//===-- runtimes/real/operators/arithmetic.cpp - sums, products, quotients --------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -23,8 +22,7 @@ constexpr auto over = [](const anysl_float &a, const anysl_float &b) { return di
 
 } // namespace
 
-//===-- Real numbers
-//----------------------------------------------------------------------------===//
+//===-- Real numbers --------------------------------------------------------------------------===//
 
 void anysl_neg_float(anysl_float *result, const anysl_float *a) { *result = -*a; }
 
@@ -44,8 +42,7 @@ void anysl_div_float(anysl_float *result, const anysl_float *a, const anysl_floa
   *result = divide(*a, *b);
 }
 
-//===-- Colours
-//---------------------------------------------------------------------------------===//
+//===-- Colours -------------------------------------------------------------------------------===//
 
 void anysl_neg_color(anysl_color *result, const anysl_color *a) { *result = each(negate, *a); }
 
@@ -69,8 +66,7 @@ void anysl_scale_color(anysl_color *result, const anysl_color *a, const anysl_fl
   *result = *a * *x;
 }
 
-//===-- Points, vectors, normals
-//----------------------------------------------------------------===//
+//===-- Points, vectors, normals --------------------------------------------------------------===//
 
 void anysl_neg_vector(anysl_vector *result, const anysl_vector *a) { *result = -*a; }
 
@@ -102,8 +98,7 @@ void anysl_cross(anysl_vector *result, const anysl_vector *a, const anysl_vector
   *result = {a->y * b->z - a->z * b->y, a->z * b->x - a->x * b->z, a->x * b->y - a->y * b->x};
 }
 
-//===-- Matrices, element by element
-//------------------------------------------------------------===//
+//===-- Matrices, element by element ----------------------------------------------------------===//
 
 void anysl_neg_matrix(anysl_matrix *result, const anysl_matrix *a) { *result = each(negate, *a); }
 

@@ -1,5 +1,4 @@
-//===-- runtimes/real/operators/comparison.cpp - conditions
-//-------------------------------------===//
+//===-- runtimes/real/operators/comparison.cpp - conditions -----------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

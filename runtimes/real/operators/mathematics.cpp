@@ -1,5 +1,4 @@
-//===-- runtimes/real/operators/mathematics.cpp - functions of real numbers
-//---------------------===//
+//===-- runtimes/real/operators/mathematics.cpp - functions of real numbers -------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

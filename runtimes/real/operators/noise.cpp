@@ -1,5 +1,4 @@
-//===-- runtimes/real/operators/noise.cpp - gradient noise, periodic noise and cell noise
-//-------===//
+//===-- runtimes/real/operators/noise.cpp - gradient noise, periodic noise and cell noise -----===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -22,8 +21,7 @@ using namespace anysl;
 
 namespace {
 
-//===-- Lattice
-//---------------------------------------------------------------------------------===//
+//===-- Lattice -------------------------------------------------------------------------------===//
 
 /// A lattice point's key is the sum of its coordinates times these, so a neighbour costs one
 /// addition.
@@ -75,8 +73,7 @@ void locate(Cell<N> &cell, const Point<N> &p, const Point<N> &periods) {
   });
 }
 
-//===-- Gradients
-//-------------------------------------------------------------------------------===//
+//===-- Gradients -----------------------------------------------------------------------------===//
 // gradient(h, offset): the gradient that the low bits of h name, times the offset from its lattice
 // point.
 
@@ -117,8 +114,7 @@ anysl_float gradient(uint32_t h, const Point<4> &offset) {
 /// then within [0, 1].
 constexpr double noiseScale[5] = {0, 0.499999, 0.661737, 0.482460, 0.325397};
 
-//===-- Blending
-//--------------------------------------------------------------------------------===//
+//===-- Blending ------------------------------------------------------------------------------===//
 
 /// Noise of one or three channels, in [-sup, sup].
 template <int Channels>
@@ -149,8 +145,7 @@ void blend(Values<Channels> &result, const Cell<N> &cell, uint32_t key = 0) {
   }
 }
 
-//===-- Results
-//---------------------------------------------------------------------------------===//
+//===-- Results -------------------------------------------------------------------------------===//
 
 constexpr int channelsOf(anysl_float *) { return 1; }
 constexpr int channelsOf(anysl_color *) { return 3; }
@@ -200,8 +195,9 @@ void cellNoise(Result *result, const Point<N> &p) {
   put(result, values);
 }
 
-//===-- Operators
-//-------------------------------------------------------------------------------===//
+} // namespace
+
+//===-- Operators -----------------------------------------------------------------------------===//
 
 #define NOISE_OPERATORS(T)                                                                         \
   void anysl_noise_##T##_1(anysl_##T *result, const anysl_float *x) {                              \

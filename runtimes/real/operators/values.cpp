@@ -1,5 +1,4 @@
-//===-- runtimes/real/operators/values.cpp - constants, construction, copies and components
-//-----===//
+//===-- runtimes/real/operators/values.cpp - constants, construction, copies and components ---===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -10,8 +9,7 @@
 
 using namespace anysl;
 
-//===-- Constants and construction
-//--------------------------------------------------------------===//
+//===-- Constants and construction ------------------------------------------------------------===//
 
 void anysl_const_float(anysl_float *result, double number) { *result = anysl_float(number); }
 
@@ -60,8 +58,7 @@ void anysl_float_from_test(anysl_float *result, bool condition) {
   *result = select(condition, anysl_float(1), anysl_float(0));
 }
 
-//===-- Copies
-//----------------------------------------------------------------------------------===//
+//===-- Copies --------------------------------------------------------------------------------===//
 
 void anysl_copy_float(anysl_float *result, const anysl_float *a) { *result = *a; }
 void anysl_copy_color(anysl_color *result, const anysl_color *a) { *result = *a; }
@@ -69,8 +66,7 @@ void anysl_copy_vector(anysl_vector *result, const anysl_vector *a) { *result = 
 void anysl_copy_matrix(anysl_matrix *result, const anysl_matrix *a) { *result = *a; }
 void anysl_copy_string(anysl_string *result, const anysl_string *a) { *result = *a; }
 
-//===-- Components
-//------------------------------------------------------------------------------===//
+//===-- Components ----------------------------------------------------------------------------===//
 // The index is compared, not converted: i < 1 is component 0, i < 2 component 1, any other 2. So it
 // is floored and clamped at once, no number is out of range, and nothing is addressed by it. NaN is
 // 0.

@@ -1,5 +1,4 @@
-//===-- anysl/real.h - the real number of this folder: float
-//------------------------------------===//
+//===-- anysl/real.h - the real number of this folder: float ----------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
