@@ -16,7 +16,7 @@
 #ifndef ANYSL_MATH_H
 #define ANYSL_MATH_H
 
-#define ANYSL_MATH_ATTRIBUTES __attribute__((const, nothrow))
+#define ANYSL_MATH_ATTRIBUTES __attribute__((const))
 
 #ifdef __cplusplus
 extern "C" {

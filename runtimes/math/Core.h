@@ -1,0 +1,85 @@
+//===-- runtimes/math/Core.h - what the math tiers are written with ---------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Small helpers. All code of the tiers is meant to be inlined and widened: it computes every case
+// and selects, a branch stands only where a rare and long path can be jumped over by all lanes, and
+// nothing but IEEE +, −, ·, /, sqrt, comparisons, conversions and integer operations is used. There
+// is no fused multiply-add: an instruction set without one would have to call a function for each,
+// and the results could not be the same there. docs/numerics.md has the reasons and figures.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RUNTIMES_MATH_CORE_H
+#define ANYSL_RUNTIMES_MATH_CORE_H
+
+#define ANYSL_TIER inline __attribute__((always_inline, nothrow))
+
+namespace anysl::tier {
+
+using Int32 = int;
+using UInt32 = unsigned;
+using Int64 = long long;
+using UInt64 = unsigned long long;
+
+ANYSL_TIER UInt32 bitsOf(float x) { return __builtin_bit_cast(UInt32, x); }
+ANYSL_TIER UInt64 bitsOf(double x) { return __builtin_bit_cast(UInt64, x); }
+ANYSL_TIER float fromBits(UInt32 x) { return __builtin_bit_cast(float, x); }
+ANYSL_TIER double fromBits(UInt64 x) { return __builtin_bit_cast(double, x); }
+
+ANYSL_TIER float magnitude(float x) { return __builtin_fabsf(x); }
+ANYSL_TIER double magnitude(double x) { return __builtin_fabs(x); }
+ANYSL_TIER float squareRoot(float x) { return __builtin_sqrtf(x); }
+ANYSL_TIER double squareRoot(double x) { return __builtin_sqrt(x); }
+ANYSL_TIER float copySign(float x, float s) { return __builtin_copysignf(x, s); }
+ANYSL_TIER double copySign(double x, double s) { return __builtin_copysign(x, s); }
+
+template <class T>
+inline constexpr T Infinity = T(__builtin_inf());
+template <class T>
+inline constexpr T NotANumber = T(__builtin_nan(""));
+
+/// Keeps x within [low, high]; NaN stays NaN.
+template <class T>
+ANYSL_TIER T clampKeepNaN(T x, T low, T high) {
+  x = x < low ? low : x;
+  return x > high ? high : x;
+}
+
+/// The polynomial with coefficients C (lowest degree first) at x, by Horner's rule. A recursion,
+/// not a loop, so that nothing has to be unrolled before widening.
+template <int First = 0, class T, int N>
+ANYSL_TIER T horner(const T (&c)[N], T x) {
+  if constexpr (First == N - 1)
+    return c[First];
+  else
+    return horner<First + 1>(c, x) * x + c[First];
+}
+
+/// x + RoundShift has the integer nearest to x (ties to even) in its low bits, |x| <= 2^51.
+inline constexpr double RoundShift = 0x1.8p52;
+/// The same for float, |x| <= 2^22.
+inline constexpr float RoundShiftF = 0x1.8p23f;
+
+/// 2^n for −1022 <= n <= 1023.
+ANYSL_TIER double powerOfTwo(UInt64 n) { return fromBits((n + 1023) << 52); }
+
+/// A finite positive normal x as m · 2^exponent with m in [sqrt 1/2, sqrt 2).
+struct Decomposed {
+  double m, exponent;
+};
+ANYSL_TIER Decomposed decompose(double x) {
+  constexpr UInt64 rootHalf = 0x3fe6a09e667f3bcdull, one = 0x3ff0000000000000ull;
+  UInt64 shifted = bitsOf(x) - rootHalf + one;
+  double m = fromBits(bitsOf(x) - (shifted & 0xfff0000000000000ull) + one);
+  // The biased exponent in the low bits of 2^52 is a conversion that every instruction set has.
+  double exponent = fromBits((shifted >> 52) | 0x4330000000000000ull) - (0x1p52 + 1023);
+  return {m, exponent};
+}
+
+} // namespace anysl::tier
+
+#endif // ANYSL_RUNTIMES_MATH_CORE_H

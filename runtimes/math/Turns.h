@@ -1,0 +1,64 @@
+//===-- runtimes/math/Turns.h - float arguments of sin, cos and tan, reduced in double --------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RUNTIMES_MATH_TURNS_H
+#define ANYSL_RUNTIMES_MATH_TURNS_H
+
+#include "runtimes/math/Coefficients.h"
+#include "runtimes/math/Core.h"
+
+namespace anysl::tier {
+
+/// An argument as n·unit + r; only the low bits of n count.
+struct Turns {
+  double r;
+  UInt64 n;
+};
+
+/// From here on a float's product with 1/pi is computed modulo 2.
+inline constexpr float HugeArgument = 0x1p22f;
+
+/// r = x − n·unit for |x| < HugeArgument: high has so few bits that n·high is exact and so is its
+/// difference from x (Cody and Waite). n is the integer nearest x/unit, or with `half` the nearest
+/// odd multiple of a half.
+template <class Unit, bool Half = false>
+ANYSL_TIER Turns turnsNear(double x) {
+  double n = x * Unit::inverse;
+  if constexpr (Half)
+    n -= 0.5;
+  double t = n + RoundShift;
+  n = t - RoundShift;
+  if constexpr (Half)
+    n += 0.5;
+  double r = x - n * Unit::high;
+  r -= n * Unit::middle;
+  if constexpr (Unit::low != 0)
+    r -= n * Unit::low;
+  return {r, bitsOf(t)};
+}
+
+/// scale·x/pi modulo 2, plus offset, as an integer and a remainder in [−1/2, 1/2] of it, for a
+/// float |x| >= HugeArgument. Payne and Hanek's method in double: InversePi holds 1/pi by blocks of
+/// the argument's exponent without the bits whose products are multiples of 2, cut so that the
+/// first two products are exact. Infinity and NaN give NaN.
+ANYSL_TIER Turns turnsHuge(double x, double scale, double offset) {
+  UInt64 block = (((bitsOf(x) >> 52) + 1) >> 4) & 7;
+  x *= scale;
+  double a = x * InversePi0[block] + offset;
+  double b = x * InversePi1[block];
+  double c = x * InversePi2[block];
+  double ta = a + RoundShift, tb = b + RoundShift;
+  a -= ta - RoundShift;
+  b -= tb - RoundShift;
+  double ts = (a + b) + RoundShift;
+  a -= ts - RoundShift;
+  return {(a + b) + c, bitsOf(ta) + bitsOf(tb) + bitsOf(ts)};
+}
+
+} // namespace anysl::tier
+
+#endif // ANYSL_RUNTIMES_MATH_TURNS_H

@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+#===-- tools/verify-math/generate-coefficients.py - polynomials of the math tiers -----------------===#
+#
+# Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#
+#===-----------------------------------------------------------------------------------------------===#
+"""Writes runtimes/math/Coefficients.h: minimax polynomials for each function and tier.
+
+Each is found by Remez's exchange algorithm in 60-digit arithmetic (mpmath), then rounded to the
+format it is evaluated in one coefficient at a time, the lowest degree first, fitting the others again
+after each (Brisebarre and Chevillard, "Efficient polynomial L-infinity approximations", 2007, do the
+same by lattice reduction). The error left after that stands beside each polynomial.
+
+usage: generate-coefficients.py [--only NAME] > runtimes/math/Coefficients.h
+"""
+
+import sys
+from mpmath import mp, mpf, ldexp, cos, pi, sin, tan, log, exp, atan, asin, sqrt, lu_solve, matrix, floor
+
+mp.dps = 70
+
+
+def roundTo(value, bits):
+    """The nearest number with that many significant bits."""
+    if value == 0:
+        return value
+    m, e = mp.frexp(value)
+    return mp.ldexp(mp.nint(mp.ldexp(m, bits)), e - bits)
+
+
+def remez(f, weight, a, b, basis):
+    """Coefficients c that minimise max |weight·(f − Σ c_i basis_i)| on [a, b], and that maximum."""
+    n = len(basis)
+    if n == 0:
+        grid = [a + (b - a) * i / 200 for i in range(201)]
+        return [], max(abs(weight(x) * f(x)) for x in grid)
+    points = [(a + b) / 2 + (b - a) / 2 * cos(pi * (n - i) / n) for i in range(n + 1)]
+    count = 24 * (n + 1)
+    grid = [(a + b) / 2 - (b - a) / 2 * cos(pi * i / count) for i in range(count + 1)]
+    table = [(f(x), weight(x), [g(x) for g in basis]) for x in grid]
+    best = None
+    for _ in range(30):
+        A, rhs = matrix(n + 1, n + 1), matrix(n + 1, 1)
+        for i, x in enumerate(points):
+            w = weight(x) if abs(weight(x)) > TINY else TINY
+            for j in range(n):
+                A[i, j] = basis[j](x)
+            A[i, n] = (-1) ** i / w
+            rhs[i] = f(x)
+        solution = lu_solve(A, rhs)
+        c = [solution[j] for j in range(n)]
+        err = [w * (y - sum(ci * gi for ci, gi in zip(c, g))) for y, w, g in table]
+        top = max(abs(e) for e in err)
+        if best is None or top < best[1]:
+            best = (c, top)
+        if top <= abs(solution[n]) * mpf('1.02'):
+            break
+        # One extremum in each run of equal signs; drop the weaker end while there are too many.
+        runs = []
+        for x, e in zip(grid, err):
+            if runs and (runs[-1][1] > 0) == (e > 0):
+                if abs(e) > abs(runs[-1][1]):
+                    runs[-1] = (x, e)
+            else:
+                runs.append((x, e))
+        while len(runs) > n + 1:
+            runs.pop(0 if abs(runs[0][1]) < abs(runs[-1][1]) else -1)
+        if len(runs) < n + 1:
+            break
+        points = [x for x, _ in runs]
+    return best
+
+
+def polynomial(f, weight, a, b, terms, bits):
+    """`terms` coefficients, each of `bits` bits; f, weight of x. Returns them and the error."""
+    powers = [(lambda x, k=k: x ** k) for k in range(terms)]
+    fixed = []
+    for k in range(terms):
+        rest = lambda x: f(x) - sum(c * x ** i for i, c in enumerate(fixed))
+        c, _ = remez(rest, weight, a, b, powers[k:])
+        fixed.append(roundTo(c[0], bits))
+    rest = lambda x: f(x) - sum(c * x ** i for i, c in enumerate(fixed))
+    return fixed, remez(rest, weight, a, b, [])[1]
+
+
+TINY = mpf(10) ** -12
+SERIES = mpf(10) ** -24
+
+
+def evenPart(f):
+    """(f(r)/r − 1)/z with z = r², for an odd f with f'(0) = 1."""
+    return lambda z: (f(sqrt(z)) / sqrt(z) - 1) / z
+
+
+def relativeOdd(f):
+    return lambda z: z / (f(sqrt(z)) / sqrt(z))
+
+
+def table():
+    """name, format, number of coefficients, function, weight, interval, meaning"""
+    z2, z4 = (pi / 2) ** 2, (pi / 4) ** 2
+    sinP, sinW = evenPart(sin), relativeOdd(sin)
+    cosP = lambda z: (cos(sqrt(z)) - 1 + z / 2) / z ** 2
+    cosW = lambda z: z ** 2 / cos(sqrt(z))
+    tanP, tanW = evenPart(tan), relativeOdd(tan)
+    half = mpf(1) / 2
+    near = lambda f: abs(f) < SERIES
+    exp2P = lambda f: log(2) if near(f) else (mpf(2) ** f - 1) / f
+    exp2W = lambda f: f / mpf(2) ** f
+    expP1 = lambda r: mpf(1) if near(r) else mp.expm1(r) / r
+    expm1W1 = lambda r: 1 if near(r) else r / mp.expm1(r)
+    # relative error of 2^f − 1, for the hyperbolic functions near 0
+    expm1W = lambda f: 1 / log(2) if near(f) else f / (mpf(2) ** f - 1)
+    l = log(2) / 2
+    expP = lambda r: 1 / mpf(2) + r / 6 if near(r) else (exp(r) - 1 - r) / r ** 2
+    expW = lambda r: r ** 2 / exp(r)
+    # log(1+f) = f − f²/2 + f³·P
+    lo, hi = sqrt(half) - 1, sqrt(mpf(2)) - 1
+    def logP(f):
+        if abs(f) < mpf(10) ** -16:
+            return mpf(1) / 3 - f / 4
+        return (log(1 + f) - f + f * f / 2) / f ** 3
+    logW = lambda f: TINY if near(f) else f ** 3 / log(1 + f)
+    # log(1+f) = 2 atanh(s), s = f/(2+f)
+    smax = (hi / (2 + hi)) ** 2
+    atanhP = lambda z: (mp.atanh(sqrt(z)) / sqrt(z) - 1) / z
+    atanhW = lambda z: z / (mp.atanh(sqrt(z)) / sqrt(z))
+    atanhTail = lambda z: (mp.atanh(sqrt(z)) / sqrt(z) - 1 - z / 3 - z ** 2 / 5) / z ** 3
+    atanhTailW = lambda z: z ** 3
+    quarter = mpf(1) / 4
+    asinP, asinW = evenPart(asin), relativeOdd(asin)
+    at8 = tan(pi / 8) ** 2
+    atanP, atanW = evenPart(atan), relativeOdd(atan)
+    sinhP, sinhW = evenPart(mp.sinh), relativeOdd(mp.sinh)
+    tanhP, tanhW = evenPart(mp.tanh), relativeOdd(mp.tanh)
+    icbrt, icbrtW = lambda m: m ** (-mpf(1) / 3), lambda m: m ** (mpf(1) / 3)
+    Z = mpf(10) ** -14
+    D, F = 'double', 'float'
+    out = []
+    add = lambda *row: out.append(row)
+    for q, n in (('U10', 4), ('Cr', 8)):
+        add(f'SinPi{q}', D, n, sinP, sinW, Z, z2, 'sin r = r + r z P(z), |r| <= pi/2')
+    add('SinU10', D, 3, sinP, sinW, Z, z4, 'the same, |r| <= pi/4')
+    add('SinCr', D, 6, sinP, sinW, Z, z4, 'the same, |r| <= pi/4')
+    add('CosU10', D, 3, cosP, cosW, Z, z4, 'cos r = 1 - z/2 + z^2 P(z), |r| <= pi/4')
+    add('CosCr', D, 6, cosP, cosW, Z, z4, 'the same')
+    add('Exp2U10', D, 6, exp2P, exp2W, -half, half, '2^f = 1 + f P(f), |f| <= 1/2')
+    add('Expm1U10', D, 7, exp2P, expm1W, -half, half, 'the same, error relative to 2^f - 1')
+    add('ExpCr', D, 12, expP1, expm1W1, -l, l, 'e^r = 1 + r P(r), |r| <= log(2)/2, error relative to e^r - 1')
+    add('Exp64', D, 11, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
+    add('Sinh64', D, 6, sinhP, sinhW, Z, mpf(0.375) ** 2, 'sinh r = r + r z P(z), |r| <= 3/8')
+    add('LogU10', D, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f), 1+f in [sqrt 1/2, sqrt 2]')
+    for q, n in (('Pow', 4), ('Cr', 7)):
+        add(f'Atanh{q}', D, n, atanhP, atanhW, Z, smax, 'atanh s = s + s z P(z), the same range')
+    add('AtanhTail64', D, 7, atanhTail, atanhTailW, mpf(10) ** -8, smax, 'atanh s = s (1 + z/3 + z^2/5 + z^3 P(z))')
+    for q, n in (('U10', 5), ('Cr', 12)):
+        add(f'Asin{q}', D, n, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
+    for q, n in (('U10', 5), ('Cr', 11)):
+        add(f'Atan{q}', D, n, atanP, atanW, Z, at8, 'atan t = t + t z P(z), |t| <= tan(pi/8)')
+    for q, n in (('U10', 5), ('Cr', 6)):
+        add(f'InverseCbrt{q}', D, n, icbrt, icbrtW, mpf(1), mpf(2), 'm^(-1/3), m in [1, 2], to start iterating from')
+    return out
+
+
+def main():
+    only = sys.argv[2] if len(sys.argv) > 2 else None
+    print('''//===-- runtimes/math/Coefficients.h - minimax polynomials of the math tiers ------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Written by tools/verify-math/generate-coefficients.py; change that and run it again.
+// Coefficients stand lowest degree first; the error is that of the approximation, relative to the
+// function's value, without the roundings of its evaluation.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RUNTIMES_MATH_COEFFICIENTS_H
+#define ANYSL_RUNTIMES_MATH_COEFFICIENTS_H
+
+#include "runtimes/math/Core.h"
+
+namespace anysl::tier {
+''')
+    for name, kind, terms, f, w, a, b, meaning in table():
+        if only and only not in name:
+            continue
+        c, error = polynomial(f, w, a, b, terms, 53 if kind == 'double' else 24)
+        print(f'/// {meaning}. Error 2^{float(log(error, 2)):.1f}.')
+        print(f'inline constexpr {kind} {name}[{terms}] = {{')
+        suffix = '' if kind == 'double' else 'f'
+        for i in range(0, terms, 3):
+            print('    ' + ', '.join(float(x).hex() + suffix for x in c[i:i + 3]) + ',')
+        print('};')
+        sys.stdout.flush()
+    print('''
+/// 1/pi without the bits that give multiples of 2 when multiplied by a float of exponent 16 j to
+/// 16 j + 15, in three parts; products of a float with the first two are exact.''')
+    for part in range(3):
+        print(f'inline constexpr double InversePi{part}[8] = {{')
+        rows = []
+        for j in range(8):
+            unit = mpf(2) ** (24 - 16 * j)
+            t = mp.fmod(1 / pi, unit)
+            for p in range(part):
+                t -= mp.floor(t / unit * mpf(2) ** (29 * (p + 1))) * unit / mpf(2) ** (29 * (p + 1))
+            if part < 2:
+                t = mp.floor(t / unit * mpf(2) ** (29 * (part + 1))) * unit / mpf(2) ** (29 * (part + 1))
+            rows.append(float(t).hex())
+        for i in range(0, 8, 3):
+            print('    ' + ', '.join(rows[i:i + 3]) + ',')
+        print('};')
+    print('''
+/// 2/pi from 64 zero bits before its point on, 32 bits a word.
+inline constexpr UInt32 TwoOverPiBits[42] = {''')
+    mp.dps = 420
+    bits = int(mp.floor(ldexp(2 / +pi, 40 * 32)))
+    mp.dps = 70
+    words = [0, 0] + [(bits >> (32 * (39 - i))) & 0xffffffff for i in range(40)]
+    for i in range(0, 42, 7):
+        print('    ' + ', '.join(f'0x{w:08x}' for w in words[i:i + 7]) + ',')
+    print('};')
+    print('''
+} // namespace anysl::tier
+
+#endif // ANYSL_RUNTIMES_MATH_COEFFICIENTS_H''')
+
+
+if __name__ == '__main__':
+    main()
