@@ -13,8 +13,8 @@
  *                matrix m = 1; varying float steps[2] = {0, 0}; float fixed = 7)
  *   { Ci = gain * tint * s + steps[1]; Oi = trace(P, N) * time; doubled = 2 * Ci; }
  *
- * The entry of width 4 does the same and counts groups in a uniform-looking way: it stores in P.x how many
- * points were in the call's full groups, so that tests see which entry ran.
+ * The entry of width 4 does the same, and leaves the number of its groups of 4 in P.x, so that tests see which entry
+ * ran. The displacement `plain` does nothing.
  *
  *===--------------------------------------------------------------------------------------------===*/
 
@@ -140,13 +140,18 @@ static void ramp_init(const AnyslShadeArgs *args) {
   cell[30].number = 7;
 }
 
+static void plain_1(const AnyslShadeArgs *args, uint32_t first, uint32_t last) {
+  (void)args, (void)first, (void)last;
+}
+
+static const AnyslEntryInfo plain_entries[] = {{1, plain_1}};
 static const AnyslEntryInfo entries[] = {{1, ramp_1}, {4, ramp_4}};
 
 #define BIT(name) ((uint64_t)1 << ANYSL_##name)
 static const AnyslShaderInfo shaders[] = {
     {"ramp", ANYSL_SURFACE, sizeof params / sizeof params[0], params, CELLS, 2, entries,
      BIT(P) | BIT(N) | BIT(s) | BIT(time), BIT(P) | BIT(Ci) | BIT(Oi), 1 << 2, 1 << 11 | 3, ramp_init},
-    {"plain", ANYSL_DISPLACEMENT, 0, 0, 0, 1, entries, 0, BIT(P), 0, 1, 0},
+    {"plain", ANYSL_DISPLACEMENT, 0, 0, 0, 1, plain_entries, 0, BIT(P), 0, 1, 0},
 };
 
 const AnyslLibraryInfo anysl_library = {MAGIC,
