@@ -1,0 +1,54 @@
+//===-- tools/anysl-render/Camera.h - rays from the eye and named spaces ----------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_CAMERA_H
+#define ANYSL_RENDER_CAMERA_H
+
+#include "tools/anysl-render/SceneDescription.h"
+
+#include <string_view>
+
+namespace anysl::render {
+
+/// A ray with a direction of unit length.
+struct Ray {
+  Vec3f origin, direction;
+  float near = 0, far = 1e30f;
+  uint32_t seed = 0;
+};
+
+class Camera {
+public:
+  explicit Camera(const CameraDescription &description);
+
+  /// The ray through a place of the raster, whose origin is the picture's upper left corner.
+  Ray ray(double rasterX, double rasterY, uint32_t seed) const;
+
+  /// The matrix from camera space to "screen", "NDC" or "raster"; false for another name.
+  bool projection(std::string_view space, Matrix4 &matrix) const;
+
+  int width() const { return description.width; }
+  int height() const { return description.height; }
+  /// The part of the picture that is rendered, in pixels: [x0, x1) x [y0, y1).
+  void cropPixels(int &x0, int &x1, int &y0, int &y1) const;
+
+private:
+  CameraDescription description;
+  std::array<double, 4> window; ///< left, right, bottom, top of the screen
+  double scale;                 ///< screen coordinates to directions: the tangent of half the field of view
+};
+
+/// The matrix from one named coordinate system to another. Known are "current" and "camera" (which
+/// are the same), "world", "screen", "NDC", "raster", those of CoordinateSystem, and "shader" and
+/// "object" where their matrices are given. Returns false and leaves `matrix` alone for any other.
+bool spaceMatrix(const SceneDescription &scene, const Camera &camera, const Matrix4 *shaderToCamera,
+                 const Matrix4 *objectToCamera, std::string_view from, std::string_view to,
+                 Matrix4 &matrix);
+
+} // namespace anysl::render
+
+#endif

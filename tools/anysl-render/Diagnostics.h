@@ -1,0 +1,61 @@
+//===-- tools/anysl-render/Diagnostics.h - positions and messages -----------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_DIAGNOSTICS_H
+#define ANYSL_RENDER_DIAGNOSTICS_H
+
+#include <cstddef>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace anysl::render {
+
+/// A text that positions point into.
+struct SourceFile {
+  std::string name;
+  std::string text;
+};
+
+/// A place in a source file. It keeps the file alive, since messages about a scene may come long
+/// after it was read.
+struct Location {
+  std::shared_ptr<const SourceFile> file;
+  size_t offset = 0;
+
+  /// Line and column, counted from 1; a tabulator is one column.
+  void lineAndColumn(size_t &line, size_t &column) const;
+};
+
+/// "file:line:column: kind: message", the source line and a caret below it. Without a file only
+/// "anysl-render: kind: message".
+std::string formatMessage(const Location &where, std::string_view kind, std::string_view message);
+
+/// Something the user has to put right: the program reports it and exits with status 1.
+class UserError : public std::runtime_error {
+public:
+  explicit UserError(const std::string &message) : UserError(Location(), message) {}
+  UserError(const Location &where, const std::string &message);
+};
+
+/// Prints warnings to standard error, each text at most once.
+class Warnings {
+public:
+  void warn(const Location &where, const std::string &message);
+  /// As warn(), but only the first message with this key is printed.
+  void warnOnce(const std::string &key, const Location &where, const std::string &message);
+  size_t count() const { return shown.size(); }
+
+private:
+  std::set<std::string> shown;
+};
+
+} // namespace anysl::render
+
+#endif

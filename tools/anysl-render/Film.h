@@ -1,0 +1,38 @@
+//===-- tools/anysl-render/Film.h - the picture and its files ---------------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_FILM_H
+#define ANYSL_RENDER_FILM_H
+
+#include "tools/anysl-render/SceneDescription.h"
+
+namespace anysl::render {
+
+/// Linear colours and coverage, row by row from the top.
+struct Film {
+  int width = 0, height = 0;
+  std::vector<std::array<float, 4>> pixels;
+  /// Pixels for which a shader returned a number that is none, or infinity. Those samples are left
+  /// out of the pixel's mean.
+  uint64_t badPixels = 0;
+};
+
+/// The type of a file: from its suffix, else from the type that the scene states.
+std::string imageFileName(const OutputFile &output);
+
+/// Writes the picture. Floating-point formats get the linear values times the exposure's gain; others
+/// are encoded as sRGB, or, where the scene asks for a gamma other than 1, by that gamma.
+/// The file appears under its name only when it is complete. Throws UserError where it cannot be
+/// written.
+void writeImage(const Film &film, const SceneDescription &scene, const OutputFile &output);
+
+/// The sRGB encoding of a linear value: monotone, 0 for what is not positive, 1 from 1 on.
+float encodeSRGB(float linear);
+
+} // namespace anysl::render
+
+#endif

@@ -1,0 +1,212 @@
+//===-- tools/anysl-render/Host.h - what the two hosts have in common -------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// A host drives shaders of one runtime: it traces camera rays, shades what they hit, and serves the
+// shaders' own rays, which may lead to more shading. All arithmetic that decides a pixel stands here,
+// once, so that the hosts make the same picture.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_HOST_H
+#define ANYSL_RENDER_HOST_H
+
+#include "tools/anysl-render/Sampling.h"
+#include "tools/anysl-render/Scene.h"
+
+#include <immintrin.h>
+
+namespace anysl::render {
+
+/// Memory that is handed back in the reverse order, for the arrays of nested batches.
+class Arena {
+public:
+  /// Everything allocated during its life is handed back at its end.
+  class Scope {
+  public:
+    explicit Scope(Arena &arena) : arena(arena), block(arena.block), used(arena.used) {}
+    ~Scope() { arena.block = block, arena.used = used; }
+    Scope(const Scope &) = delete;
+    Scope &operator=(const Scope &) = delete;
+
+  private:
+    Arena &arena;
+    size_t block, used;
+  };
+
+  /// `count` values, not initialised, aligned to 64 bytes and padded to a multiple of that.
+  template <typename T> T *allocate(size_t count) {
+    size_t bytes = (count * sizeof(T) + 63) / 64 * 64;
+    if (blocks.empty() || used + bytes > blocks[block].size)
+      nextBlock(bytes);
+    T *result = reinterpret_cast<T *>(blocks[block].memory.get() + used);
+    used += bytes;
+    return result;
+  }
+
+private:
+  struct Free {
+    void operator()(std::byte *memory) const { _mm_free(memory); }
+  };
+  struct Block {
+    std::unique_ptr<std::byte[], Free> memory;
+    size_t size;
+  };
+  void nextBlock(size_t bytes);
+
+  std::vector<Block> blocks;
+  size_t block = 0, used = 0;
+};
+
+/// What one thread has done.
+struct RenderCounts {
+  uint64_t cameraRays = 0, traceRays = 0, shadowRays = 0;
+  uint64_t points = 0;  ///< shaded
+  uint64_t batches = 0; ///< calls of a shader
+  uint64_t shadingTicks = 0;
+  RenderCounts &operator+=(const RenderCounts &other);
+};
+
+/// A thread's own memory and counts. Time runs for shading only while a shader does: a service
+/// stops the clock when it is entered and starts it again when it returns.
+struct ThreadState {
+  Arena arena;
+  RenderCounts counts;
+  bool timed = false;
+
+  void startShading() {
+    if (timed)
+      since = __rdtsc();
+  }
+  void stopShading() {
+    if (timed)
+      counts.shadingTicks += __rdtsc() - since;
+  }
+
+private:
+  uint64_t since = 0;
+};
+
+/// Stops the shading clock as long as it lives.
+class ServiceScope {
+public:
+  explicit ServiceScope(ThreadState &state) : state(state) { state.stopShading(); }
+  ~ServiceScope() { state.startShading(); }
+  ServiceScope(const ServiceScope &) = delete;
+  ServiceScope &operator=(const ServiceScope &) = delete;
+
+private:
+  ThreadState &state;
+};
+
+/// The light along a camera ray, and how much of what lies beyond all surfaces is hidden.
+struct Radiance {
+  Vec3f color;
+  float alpha = 0;
+};
+
+class Host {
+public:
+  virtual ~Host() = default;
+  /// The light along `count` camera rays.
+  virtual void trace(ThreadState &state, const Ray *rays, uint32_t count,
+                     Radiance *radiance) const = 0;
+  /// How many rays trace() likes to get at once.
+  virtual uint32_t preferredCount() const = 0;
+  virtual const Scene &scene() const = 0;
+};
+
+/// The host for structure-of-arrays libraries, with packets of 1, 4, 8 or 16 rays.
+std::unique_ptr<Host> makePacketHost(const SceneDescription &description, const ShaderCache &cache,
+                                     unsigned width, Warnings &warnings);
+/// The host for array-of-structures libraries, float or double: one ray and one point at a time.
+std::unique_ptr<Host> makeScalarHost(const SceneDescription &description, const ShaderCache &cache,
+                                     Warnings &warnings);
+
+//===-- Shared arithmetic ---------------------------------------------------//
+
+/// How many surfaces in a row may let a camera ray or traced ray pass.
+constexpr unsigned maxLayers = 64;
+/// The number mixed into a ray's seed where it goes on behind a surface.
+constexpr uint32_t behindSurface = 0x62656864;
+
+/// What is kept of a shaded point for the rays that start there.
+struct RayStart {
+  Vec3f P, Ng;
+  float offset = 0;
+
+  /// A ray's origin: P, and where that is this point, moved off its surface to the side that
+  /// `direction` leads to, so far that the ray cannot meet the surface where it started.
+  Vec3f origin(Vec3f P, Vec3f direction) const;
+};
+
+/// The ray for trace(P, R); false where R is no direction.
+bool traceRay(const RayStart &start, Vec3f P, Vec3f R, uint32_t seed, Ray &ray);
+/// The ray for transmission(from, to), from 0 to ray.far; false where the two points coincide.
+bool shadowRay(const RayStart &start, Vec3f from, Vec3f to, Ray &ray);
+
+/// Where a shadow ray goes on that has passed a surface at distance t.
+inline float afterHit(float t) { return std::nextafter(t * (1 + 0x1p-20f), 1e30f); }
+
+/// Hands every component of the globals in `wanted` to store(component, value).
+template <typename Store>
+void storeGlobals(uint64_t wanted, const SurfacePoint &point, Vec3f rayOrigin, const Store &store) {
+  auto asks = [&](AnyslGlobal global) { return (wanted >> global & 1) != 0; };
+  auto triple = [&](AnyslGlobal global, int component, Vec3d value) {
+    if (asks(global))
+      for (int k = 0; k < 3; ++k)
+        store(component + k, value[k]);
+  };
+  auto number = [&](AnyslGlobal global, int component, double value) {
+    if (asks(global))
+      store(component, value);
+  };
+  triple(ANYSL_P, ANYSL_COMPONENT_P, point.frame.P);
+  triple(ANYSL_N, ANYSL_COMPONENT_N, point.normal);
+  triple(ANYSL_Ng, ANYSL_COMPONENT_Ng, point.frame.normal);
+  triple(ANYSL_I, ANYSL_COMPONENT_I, point.frame.P - Vec3d(rayOrigin));
+  triple(ANYSL_Cs, ANYSL_COMPONENT_Cs, point.color);
+  triple(ANYSL_Os, ANYSL_COMPONENT_Os, point.opacity);
+  triple(ANYSL_Ci, ANYSL_COMPONENT_Ci, Vec3d());
+  triple(ANYSL_Oi, ANYSL_COMPONENT_Oi, point.opacity);
+  number(ANYSL_u, ANYSL_COMPONENT_u, point.frame.u);
+  number(ANYSL_v, ANYSL_COMPONENT_v, point.frame.v);
+  number(ANYSL_s, ANYSL_COMPONENT_s, point.s);
+  number(ANYSL_t, ANYSL_COMPONENT_t, point.t);
+  triple(ANYSL_dPdu, ANYSL_COMPONENT_dPdu, point.frame.dPdu);
+  triple(ANYSL_dPdv, ANYSL_COMPONENT_dPdv, point.frame.dPdv);
+  number(ANYSL_alpha, ANYSL_COMPONENT_alpha, 1);
+}
+
+/// The same for the globals that are the same everywhere.
+template <typename Store>
+void storeUniformGlobals(uint64_t wanted, const Scene &scene, const Store &store) {
+  auto number = [&](AnyslGlobal global, int component, double value) {
+    if (wanted >> global & 1)
+      store(component, value);
+  };
+  // Rays carry no differentials: a surface is taken to fill the picture.
+  number(ANYSL_du, ANYSL_COMPONENT_du, 1.0 / scene.camera.width());
+  number(ANYSL_dv, ANYSL_COMPONENT_dv, 1.0 / scene.camera.height());
+  number(ANYSL_time, ANYSL_COMPONENT_time, scene.description.camera.shutterOpen);
+  number(ANYSL_ncomps, ANYSL_COMPONENT_ncomps, 3);
+  for (int k = 0; k < 3; ++k)
+    number(ANYSL_E, ANYSL_COMPONENT_E + k, 0);
+}
+
+/// The surface that shows where a scene names none: lit from the eye.
+Vec3f defaultSurface(const SurfacePoint &point, Vec3f direction);
+
+/// The matrix for the service space_matrix; `renderer` is the SurfaceShader, `objectToCamera` may be null.
+int serveSpaceMatrix(void *renderer, const Matrix4 *objectToCamera, const char *from, const char *to,
+                     double matrix[16]);
+
+/// The common part of what a shader is called with.
+AnyslShadeArgs makeShadeArgs(const ShadingGroup &group, uint32_t count, void *batch);
+
+} // namespace anysl::render
+
+#endif

@@ -1,0 +1,41 @@
+//===-- tools/anysl-render/Options.h - the command line ---------------------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_OPTIONS_H
+#define ANYSL_RENDER_OPTIONS_H
+
+#include "tools/anysl-render/SceneDescription.h"
+#include "tools/anysl-render/ShaderCache.h"
+
+namespace anysl::render {
+
+struct Options {
+  std::string scene;
+  std::vector<std::string> outputs; ///< instead of the scene's
+  ShaderTarget target;
+  unsigned threads = 0; ///< 0: as many as the machine runs at once
+  int sizeX = 0, sizeY = 0;
+  int samplesX = 0, samplesY = 0;
+  int maxDepth = -1;
+  std::vector<std::string> shaderFolders;
+  std::string cacheFolder;
+  std::string statsFile;
+  bool stats = false, quiet = false, watch = false;
+  bool help = false, version = false;
+};
+
+extern const char *const helpText;
+
+/// Throws UserError where the command line cannot be understood.
+Options parseOptions(int count, char **arguments);
+
+/// Puts what the command line says about size, samples and outputs over what the scene says.
+void applyOptions(const Options &options, SceneDescription &scene);
+
+} // namespace anysl::render
+
+#endif

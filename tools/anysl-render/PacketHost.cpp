@@ -1,0 +1,488 @@
+//===-- tools/anysl-render/PacketHost.cpp - packets of rays, batches of points ----------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Rays are followed many at a time. A list of rays goes through Embree in packets of W; the hits are
+// sorted by shading group, and each group's points are laid out as structure of arrays and shaded by
+// one call of the shader's W-wide code. Where that code traces, the rays of W points come back here as
+// a new, shorter list one level deeper: the same function follows camera rays and all others.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/Host.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+using namespace anysl::render;
+
+namespace {
+
+/// Rays and what they meet, one array for each number.
+struct RayList {
+  uint32_t count = 0, capacity = 0;
+  float *origin[3], *direction[3], *near, *far;
+  uint32_t *seed;
+  uint32_t *target; ///< where the ray's light goes to: an index into the caller's arrays
+  float *t, *u, *v;
+  uint32_t *geometry, *primitive;
+
+  RayList(Arena &arena, uint32_t capacity) : capacity(capacity) {
+    // Packets are loaded whole, so that the arrays reach beyond the last ray.
+    size_t size = (capacity + 15) / 16 * 16;
+    for (float **array : {&origin[0], &origin[1], &origin[2], &direction[0], &direction[1],
+                          &direction[2], &near, &far, &t, &u, &v})
+      *array = arena.allocate<float>(size);
+    for (uint32_t **array : {&seed, &target, &geometry, &primitive})
+      *array = arena.allocate<uint32_t>(size);
+  }
+
+  void add(const Ray &ray, uint32_t toTarget) {
+    for (int k = 0; k < 3; ++k) {
+      origin[k][count] = ray.origin[k];
+      direction[k][count] = ray.direction[k];
+    }
+    near[count] = ray.near;
+    far[count] = ray.far;
+    seed[count] = ray.seed;
+    target[count++] = toTarget;
+  }
+  Vec3f originOf(uint32_t i) const { return {origin[0][i], origin[1][i], origin[2][i]}; }
+  Vec3f directionOf(uint32_t i) const { return {direction[0][i], direction[1][i], direction[2][i]}; }
+  Hit hitOf(uint32_t i) const { return {t[i], u[i], v[i], geometry[i], primitive[i]}; }
+};
+
+/// What AnyslShadeArgs::batch points to.
+struct PacketBatch {
+  const class PacketHostBase *host;
+  ThreadState *state;
+  const ShadingGroup *group;
+  const RayStart *starts;
+  const uint32_t *seeds;
+  uint32_t *rays; ///< how many rays each point has traced so far
+  unsigned depth;
+};
+
+class PacketHostBase : public Host {
+public:
+  virtual void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
+                      Radiance *radiance) const = 0;
+  virtual void findNearest(RayList &rays, unsigned mask) const = 0;
+  /// Sets t to -infinity where a ray is blocked.
+  virtual void findBlocked(RayList &rays) const = 0;
+  void transmission(ThreadState &state, RayList &rays, Vec3f *passing) const;
+};
+
+template <unsigned W> class PacketHost final : public PacketHostBase {
+public:
+  PacketHost(const SceneDescription &description, const ShaderCache &cache,
+             const AnyslServices &services, Warnings &warnings)
+      : theScene(description, cache, services, ANYSL_LAYOUT_SOA, W, warnings) {}
+
+  void trace(ThreadState &state, const Ray *rays, uint32_t count, Radiance *radiance) const override {
+    Arena::Scope scope(state.arena);
+    RayList list(state.arena, count);
+    for (uint32_t i = 0; i < count; ++i)
+      list.add(rays[i], i);
+    state.counts.cameraRays += count;
+    follow(state, list, CameraRays, 0, radiance);
+  }
+  // Enough points for full packets after sorting, few enough for their arrays to stay in cache.
+  uint32_t preferredCount() const override { return 256; }
+  const Scene &scene() const override { return theScene; }
+
+  void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
+              Radiance *radiance) const override;
+  void findNearest(RayList &rays, unsigned mask) const override;
+  void findBlocked(RayList &rays) const override;
+
+private:
+  void shade(ThreadState &state, const RayList &rays, const uint32_t *members, uint32_t count,
+             uint32_t groupIndex, unsigned depth, RayList &behind, Vec3f *passing,
+             Radiance *radiance) const;
+
+  Scene theScene;
+};
+
+//===-- Packets -------------------------------------------------------------//
+
+template <unsigned W> void PacketHost<W>::findNearest(RayList &rays, unsigned mask) const {
+  const Geometry &geometry = theScene.geometry();
+  for (uint32_t first = 0; first < rays.count; first += W) {
+    uint32_t count = std::min(W, rays.count - first);
+    if (W == 1 || count == 1) {
+      RTCRayHit query;
+      Vec3f o = rays.originOf(first), d = rays.directionOf(first);
+      query.ray = {o.x, o.y, o.z, rays.near[first], d.x, d.y, d.z, 0, rays.far[first], mask, 0, 0};
+      query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      geometry.intersect<1>(nullptr, query, mask == CameraRays);
+      rays.t[first] = query.ray.tfar;
+      rays.u[first] = query.hit.u;
+      rays.v[first] = query.hit.v;
+      rays.geometry[first] = query.hit.geomID;
+      rays.primitive[first] = query.hit.primID;
+      continue;
+    }
+    if constexpr (W > 1) {
+      typename RayPacketType<W>::RayHit query;
+      alignas(64) int valid[W];
+      constexpr size_t bytes = W * sizeof(float);
+      float *const origin[] = {query.ray.org_x, query.ray.org_y, query.ray.org_z};
+      float *const direction[] = {query.ray.dir_x, query.ray.dir_y, query.ray.dir_z};
+      for (int k = 0; k < 3; ++k) {
+        std::memcpy(origin[k], rays.origin[k] + first, bytes);
+        std::memcpy(direction[k], rays.direction[k] + first, bytes);
+      }
+      std::memcpy(query.ray.tnear, rays.near + first, bytes);
+      std::memcpy(query.ray.tfar, rays.far + first, bytes);
+      for (uint32_t i = 0; i < W; ++i) {
+        valid[i] = i < count ? -1 : 0;
+        query.ray.mask[i] = mask;
+        query.ray.time[i] = 0;
+        query.ray.id[i] = query.ray.flags[i] = 0;
+        query.hit.geomID[i] = query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+      }
+      geometry.intersect<W>(valid, query, mask == CameraRays);
+      std::memcpy(rays.t + first, query.ray.tfar, bytes);
+      std::memcpy(rays.u + first, query.hit.u, bytes);
+      std::memcpy(rays.v + first, query.hit.v, bytes);
+      std::memcpy(rays.geometry + first, query.hit.geomID, bytes);
+      std::memcpy(rays.primitive + first, query.hit.primID, bytes);
+    }
+  }
+}
+
+template <unsigned W> void PacketHost<W>::findBlocked(RayList &rays) const {
+  const Geometry &geometry = theScene.geometry();
+  for (uint32_t first = 0; first < rays.count; first += W) {
+    uint32_t count = std::min(W, rays.count - first);
+    if (W == 1 || count == 1) {
+      Vec3f o = rays.originOf(first), d = rays.directionOf(first);
+      RTCRay query = {o.x, o.y, o.z, rays.near[first], d.x, d.y, d.z, 0, rays.far[first],
+                      OpaqueShadowRays, 0, 0};
+      geometry.occluded<1>(nullptr, query);
+      rays.t[first] = query.tfar;
+      continue;
+    }
+    if constexpr (W > 1) {
+      typename RayPacketType<W>::Ray query;
+      alignas(64) int valid[W];
+      constexpr size_t bytes = W * sizeof(float);
+      float *const origin[] = {query.org_x, query.org_y, query.org_z};
+      float *const direction[] = {query.dir_x, query.dir_y, query.dir_z};
+      for (int k = 0; k < 3; ++k) {
+        std::memcpy(origin[k], rays.origin[k] + first, bytes);
+        std::memcpy(direction[k], rays.direction[k] + first, bytes);
+      }
+      std::memcpy(query.tnear, rays.near + first, bytes);
+      std::memcpy(query.tfar, rays.far + first, bytes);
+      for (uint32_t i = 0; i < W; ++i) {
+        valid[i] = i < count ? -1 : 0;
+        query.mask[i] = OpaqueShadowRays;
+        query.time[i] = 0;
+        query.id[i] = query.flags[i] = 0;
+      }
+      geometry.occluded<W>(valid, query);
+      std::memcpy(rays.t + first, query.tfar, bytes);
+    }
+  }
+}
+
+//===-- Following rays ------------------------------------------------------//
+
+template <unsigned W>
+void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
+                           Radiance *radiance) const {
+  const Geometry &geometry = theScene.geometry();
+  uint32_t targets = 0;
+  for (uint32_t i = 0; i < rays.count; ++i) {
+    radiance[rays.target[i]] = Radiance();
+    targets = std::max(targets, rays.target[i] + 1);
+  }
+  Vec3f *passing = state.arena.allocate<Vec3f>(targets);
+  std::fill_n(passing, targets, Vec3f(1));
+
+  // Each round takes the rays to the next surface; those that it lets through make the next round.
+  RayList *current = &rays;
+  RayList others[2] = {RayList(state.arena, 0), RayList(state.arena, 0)};
+  for (unsigned layer = 0; current->count > 0 && layer < maxLayers; ++layer) {
+    RayList &list = *current;
+    findNearest(list, mask);
+    RayList &behind = others[layer % 2];
+    behind = RayList(state.arena, list.count);
+
+    // Sort the hits by group, keeping the order of the rays within each.
+    uint32_t *group = state.arena.allocate<uint32_t>(list.count);
+    uint32_t *members = state.arena.allocate<uint32_t>(list.count);
+    constexpr uint32_t done = ~uint32_t(0);
+    for (uint32_t i = 0; i < list.count; ++i) {
+      Hit hit = list.hitOf(i);
+      group[i] = hit.isHit() ? geometry.groupOf(hit) : done;
+      if (hit.isHit())
+        continue;
+      uint32_t target = list.target[i];
+      radiance[target].color += passing[target] * theScene.background.color(list.directionOf(i));
+    }
+    for (uint32_t i = 0; i < list.count; ++i) {
+      if (group[i] == done)
+        continue;
+      uint32_t wanted = group[i], count = 0;
+      for (uint32_t j = i; j < list.count; ++j)
+        if (group[j] == wanted) {
+          members[count++] = j;
+          group[j] = done;
+        }
+      shade(state, list, members, count, wanted, depth, behind, passing, radiance);
+    }
+    current = &behind;
+  }
+  for (uint32_t i = 0; i < rays.count; ++i) {
+    Vec3f rest = passing[rays.target[i]];
+    radiance[rays.target[i]].alpha = 1 - (rest.x + rest.y + rest.z) / 3;
+  }
+}
+
+template <unsigned W>
+void PacketHost<W>::shade(ThreadState &state, const RayList &rays, const uint32_t *members,
+                          uint32_t count, uint32_t groupIndex, unsigned depth, RayList &behind,
+                          Vec3f *passing, Radiance *radiance) const {
+  const Geometry &geometry = theScene.geometry();
+  const ShadingGroup &group = theScene.group(groupIndex);
+  Arena::Scope scope(state.arena);
+  size_t size = (size_t(count) + 15) / 16 * 16;
+  RayStart *starts = state.arena.allocate<RayStart>(size);
+  float *arrays[ANYSL_COMPONENT_COUNT] = {};
+  constexpr uint64_t outputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL_Oi;
+  uint64_t wanted = outputs | (group.shader ? group.shader->globals : 0);
+  storeGlobals(wanted, SurfacePoint(), Vec3f(),
+               [&](int component, double) { arrays[component] = state.arena.allocate<float>(size); });
+
+  for (uint32_t i = 0; i < count; ++i) {
+    uint32_t ray = members[i];
+    Vec3f origin = rays.originOf(ray), direction = rays.directionOf(ray);
+    SurfacePoint point;
+    geometry.evaluate(rays.hitOf(ray), origin, direction, group.shader ? group.shader->needed : 0, point);
+    starts[i] = {Vec3f(point.frame.P), Vec3f(point.frame.normal), point.offset};
+    storeGlobals(wanted, point, origin,
+                 [&](int component, double value) { arrays[component][i] = float(value); });
+    if (!group.shader) {
+      Vec3f Ci = defaultSurface(point, direction);
+      for (int k = 0; k < 3; ++k)
+        arrays[ANYSL_COMPONENT_Ci + k][i] = Ci[k];
+    }
+  }
+
+  if (group.shader) {
+    uint32_t *seeds = state.arena.allocate<uint32_t>(size);
+    uint32_t *traced = state.arena.allocate<uint32_t>(size);
+    for (uint32_t i = 0; i < size; ++i) {
+      seeds[i] = i < count ? rays.seed[members[i]] : 0;
+      traced[i] = 0;
+    }
+    storeUniformGlobals(wanted, theScene, [&](int component, double value) {
+      // One value is enough, but code for a whole group of points may read it as if varying.
+      arrays[component] = state.arena.allocate<float>(16);
+      std::fill_n(arrays[component], 16, float(value));
+    });
+    PacketBatch batch{this, &state, &group, starts, seeds, traced, depth};
+    AnyslShadeArgs args = makeShadeArgs(group, count, &batch);
+    args.globals = reinterpret_cast<void *const *>(arrays);
+    args.seeds = seeds;
+    state.counts.points += count;
+    ++state.counts.batches;
+    state.startShading();
+    group.shader->shade(&args, 0, count);
+    state.stopShading();
+  }
+
+  for (uint32_t i = 0; i < count; ++i) {
+    uint32_t ray = members[i], target = rays.target[ray];
+    Vec3f Ci, Oi;
+    for (int k = 0; k < 3; ++k) {
+      Ci[k] = arrays[ANYSL_COMPONENT_Ci + k][i];
+      Oi[k] = arrays[ANYSL_COMPONENT_Oi + k][i];
+    }
+    radiance[target].color += passing[target] * Ci;
+    passing[target] *= Vec3f(1) - Oi;
+    if (!(maxAbs(passing[target]) > 0x1p-12f)) {
+      passing[target] = Vec3f();
+      continue;
+    }
+    Ray next;
+    next.direction = rays.directionOf(ray);
+    next.origin = starts[i].origin(starts[i].P, next.direction);
+    next.seed = hash(rays.seed[ray], behindSurface);
+    behind.add(next, target);
+  }
+}
+
+void PacketHostBase::transmission(ThreadState &state, RayList &rays, Vec3f *passing) const {
+  const Geometry &geometry = scene().geometry();
+  state.counts.shadowRays += rays.count;
+  findBlocked(rays);
+  RayList rest(state.arena, rays.count);
+  for (uint32_t i = 0; i < rays.count; ++i) {
+    bool blocked = rays.t[i] < 0;
+    passing[rays.target[i]] = Vec3f(blocked ? 0 : 1);
+    if (blocked || !geometry.hasPartialShadows())
+      continue;
+    rest.add({rays.originOf(i), rays.directionOf(i), rays.near[i], rays.far[i], 0}, rays.target[i]);
+  }
+  for (unsigned layer = 0; rest.count > 0 && layer < maxLayers; ++layer) {
+    findNearest(rest, PartialShadowRays);
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < rest.count; ++i) {
+      Hit hit = rest.hitOf(i);
+      if (!hit.isHit())
+        continue;
+      uint32_t target = rest.target[i];
+      passing[target] *= Vec3f(Vec3d(1) - geometry.opacityAt(hit));
+      Ray ray{rest.originOf(i), rest.directionOf(i), afterHit(hit.t), rest.far[i], 0};
+      // In place: no later ray has been overwritten, since as many have been read as are kept.
+      std::swap(rest.count, kept);
+      rest.add(ray, target);
+      std::swap(rest.count, kept);
+    }
+    rest.count = kept;
+  }
+}
+
+//===-- Services ------------------------------------------------------------//
+
+Vec3f lane(const float *vectors, uint32_t width, uint32_t i) {
+  return {vectors[i], vectors[width + i], vectors[2 * width + i]};
+}
+void setLane(float *vectors, uint32_t width, uint32_t i, Vec3f value) {
+  for (uint32_t k = 0; k < 3; ++k)
+    vectors[k * width + i] = value[int(k)];
+}
+
+void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32_t mask,
+                      const float *P, const float *R, float *color) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  RayList rays(state.arena, width);
+  std::fill_n(color, 3 * width, 0.0f);
+  bool tooDeep = batch.depth >= batch.host->scene().description.maxDepth;
+  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+    uint32_t i = uint32_t(std::countr_zero(rest)), point = first + i;
+    uint32_t seed = hash(batch.seeds[point], ++batch.rays[point]);
+    Ray ray;
+    if (!tooDeep && traceRay(batch.starts[point], lane(P, width, i), lane(R, width, i), seed, ray))
+      rays.add(ray, i);
+  }
+  if (rays.count == 0)
+    return;
+  state.counts.traceRays += rays.count;
+  Radiance *radiance = state.arena.allocate<Radiance>(width);
+  batch.host->follow(state, rays, TraceRays, batch.depth + 1, radiance);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    setLane(color, width, rays.target[i], radiance[rays.target[i]].color);
+}
+
+void serveDistancePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                         uint32_t mask, const float *P, const float *R, float *distance) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  RayList rays(state.arena, width);
+  std::fill_n(distance, width, 1e30f);
+  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+    uint32_t i = uint32_t(std::countr_zero(rest));
+    Ray ray;
+    if (traceRay(batch.starts[first + i], lane(P, width, i), lane(R, width, i), 0, ray))
+      rays.add(ray, i);
+  }
+  state.counts.traceRays += rays.count;
+  batch.host->findNearest(rays, TraceRays);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    distance[rays.target[i]] = rays.t[i];
+}
+
+void serveTransmissionPacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                             uint32_t mask, const float *from, const float *to, float *color) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  RayList rays(state.arena, width);
+  std::fill_n(color, 3 * width, 1.0f);
+  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+    uint32_t i = uint32_t(std::countr_zero(rest));
+    Ray ray;
+    if (shadowRay(batch.starts[first + i], lane(from, width, i), lane(to, width, i), ray))
+      rays.add(ray, i);
+  }
+  Vec3f *passing = state.arena.allocate<Vec3f>(width);
+  batch.host->transmission(state, rays, passing);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    setLane(color, width, rays.target[i], passing[rays.target[i]]);
+}
+
+// A shader's scalar code (width 1) asks for one point at a time.
+void serveTrace(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *P,
+                const double *R, double *color) {
+  float from[3] = {float(P[0]), float(P[1]), float(P[2])}, along[3] = {float(R[0]), float(R[1]), float(R[2])};
+  float result[3];
+  serveTracePacket(renderer, args, point, 1, 1, from, along, result);
+  std::copy_n(result, 3, color);
+}
+
+double serveDistance(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *P,
+                     const double *R) {
+  float from[3] = {float(P[0]), float(P[1]), float(P[2])}, along[3] = {float(R[0]), float(R[1]), float(R[2])};
+  float result;
+  serveDistancePacket(renderer, args, point, 1, 1, from, along, &result);
+  return result;
+}
+
+void serveTransmission(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *from,
+                       const double *to, double *color) {
+  float begin[3] = {float(from[0]), float(from[1]), float(from[2])}, end[3] = {float(to[0]), float(to[1]), float(to[2])};
+  float result[3];
+  serveTransmissionPacket(renderer, args, point, 1, 1, begin, end, result);
+  std::copy_n(result, 3, color);
+}
+
+int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to, double *matrix) {
+  const auto *batch = static_cast<const PacketBatch *>(args->batch);
+  return serveSpaceMatrix(renderer, batch ? batch->group->objectToCamera : nullptr, from, to, matrix);
+}
+
+const AnyslServices services = {sizeof(AnyslServices), serveTrace,        serveTracePacket,
+                                serveDistance,         serveDistancePacket, serveTransmission,
+                                serveTransmissionPacket, serveMatrix};
+
+template <unsigned W>
+std::unique_ptr<Host> makeHost(const SceneDescription &description, const ShaderCache &cache,
+                               Warnings &warnings) {
+  auto host = std::make_unique<PacketHost<W>>(description, cache, services, warnings);
+  if (host->scene().real() != ANYSL_REAL_FLOAT)
+    throw UserError("packets of rays are float, but the shaders compute in double");
+  return host;
+}
+
+} // namespace
+
+std::unique_ptr<Host> anysl::render::makePacketHost(const SceneDescription &description,
+                                                    const ShaderCache &cache, unsigned width,
+                                                    Warnings &warnings) {
+  switch (width) {
+  case 1:
+    return makeHost<1>(description, cache, warnings);
+  case 4:
+    return makeHost<4>(description, cache, warnings);
+  case 8:
+    return makeHost<8>(description, cache, warnings);
+  case 16:
+    return makeHost<16>(description, cache, warnings);
+  }
+  throw UserError("packets of " + std::to_string(width) + " rays: the width must be 1, 4, 8 or 16");
+}

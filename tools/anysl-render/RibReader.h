@@ -1,0 +1,25 @@
+//===-- tools/anysl-render/RibReader.h - RIB file to scene ------------------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_RIBREADER_H
+#define ANYSL_RENDER_RIBREADER_H
+
+#include "tools/anysl-render/SceneDescription.h"
+
+namespace anysl::render {
+
+/// Reads a scene in the RenderMan Interface Bytestream's text form: one description for each
+/// WorldBegin ... WorldEnd. Requests that are not known get one warning a name and are passed over.
+/// Throws UserError where the text cannot be understood.
+std::vector<SceneDescription> readRib(std::shared_ptr<const SourceFile> file, Warnings &warnings);
+
+/// Reads the file with this name; throws UserError where it cannot.
+std::shared_ptr<const SourceFile> loadSourceFile(const std::string &path);
+
+} // namespace anysl::render
+
+#endif

@@ -1,0 +1,166 @@
+//===-- tools/anysl-render/SceneDescription.h - a scene as the file states it -----*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// What a reader of scene files produces and the renderer consumes: plain data, no file format and no
+// ray tracing in it. All positions are in *camera space*, the shaders' "current" space: the eye is at
+// the origin and looks along +z, x is right, y is up. So coordinates are most exact where they are
+// seen from near, however far from the world's origin the camera stands.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_SCENEDESCRIPTION_H
+#define ANYSL_RENDER_SCENEDESCRIPTION_H
+
+#include "tools/anysl-render/Diagnostics.h"
+#include "tools/anysl-render/Linear.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace anysl::render {
+
+enum class StorageClass { Constant, Uniform, Varying, Vertex, FaceVarying };
+enum class ValueType { Float, Color, Point, Vector, Normal, HPoint, Matrix, String };
+
+/// How many numbers a value of the type has; 1 for a string.
+unsigned componentCount(ValueType type);
+
+/// "uniform color[2]": what Declare or an inline declaration says about a name.
+struct Declaration {
+  StorageClass storage = StorageClass::Uniform;
+  ValueType type = ValueType::Float;
+  unsigned arrayLength = 0; ///< 0: not an array
+};
+
+/// A name with its values, as in "Kd" [0.5].
+struct Parameter {
+  std::string name;
+  std::optional<Declaration> declaration;
+  std::vector<double> numbers; ///< one of these two is empty
+  std::vector<std::string> strings;
+  Location where;
+};
+using ParameterList = std::vector<Parameter>;
+
+const Parameter *findParameter(const ParameterList &list, std::string_view name);
+
+/// A shader as a request such as Surface names it.
+struct ShaderUse {
+  std::string name;
+  ParameterList parameters;
+  Matrix4 shaderToCamera = Matrix4::identity();
+  Location where;
+};
+
+/// Which rays see a surface.
+struct Visibility {
+  bool camera = true;
+  bool trace = true;
+  enum Transmission { Opaque, ByOpacity, Transparent } transmission = ByOpacity;
+  friend bool operator==(const Visibility &, const Visibility &) = default;
+};
+
+/// Everything about a surface that is not its shape.
+struct Appearance {
+  int surface = -1; ///< index into SceneDescription::surfaces, or -1: the built-in default surface
+  Vec3d color{1, 1, 1};
+  Vec3d opacity{1, 1, 1};
+  bool reverseOrientation = false;
+  int sides = 2;
+  Visibility visibility;
+  std::vector<uint32_t> lights; ///< those that shine on it: indices into SceneDescription::lights
+  std::array<double, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1}; ///< s t at the (u, v) corners
+  friend bool operator==(const Appearance &, const Appearance &) = default;
+};
+
+/// A surface swept about the z axis, in the words of the RenderMan Interface.
+struct QuadricShape {
+  enum Kind { Sphere, Cone, Cylinder, Hyperboloid, Paraboloid, Disk, Torus } kind = Sphere;
+  double radius = 1; ///< of the torus: the major one
+  double zmin = 0, zmax = 0, height = 0;
+  double minorRadius = 0, phiMin = 0, phiMax = 360; ///< torus only
+  Vec3d point1, point2;                             ///< hyperboloid only
+  double thetaMax = 360;
+};
+
+/// Polygons that share their vertices.
+struct PolygonShape {
+  std::vector<uint32_t> vertexCounts; ///< of each polygon
+  std::vector<uint32_t> vertices;     ///< indices into the points
+  std::vector<Vec3d> points;          ///< in object space
+  ParameterList parameters;           ///< values at the points other than "P"
+};
+
+struct Shape {
+  std::variant<QuadricShape, PolygonShape> geometry;
+  Matrix4 objectToCamera = Matrix4::identity();
+  uint32_t appearance = 0;
+  Location where;
+};
+
+struct LightUse {
+  std::string name;
+  ParameterList parameters;
+  Matrix4 lightToCamera = Matrix4::identity();
+  bool castsShadow = true;
+  Location where;
+};
+
+struct OutputFile {
+  std::string name;   ///< as given; the type follows from its suffix, else from `format`
+  std::string format; ///< "file", "png", "openexr", ...
+  bool alpha = false;
+  bool half = false; ///< 16 bits a channel where the format has such floats
+  Location where;
+};
+
+enum class FilterKind { Box, Triangle, Gaussian };
+
+struct CameraDescription {
+  bool perspective = false;
+  double fov = 90; ///< degrees across the smaller side of the screen window [-1, 1]
+  int width = 640, height = 480;
+  double pixelAspect = 1;
+  double frameAspect = 0;                    ///< 0: from the format
+  std::optional<std::array<double, 4>> screenWindow;
+  std::array<double, 4> cropWindow{0, 1, 0, 1};
+  double nearClip = 1e-10, farClip = 1e38;
+  double shutterOpen = 0;
+};
+
+/// The light that comes from beyond all surfaces.
+struct BackgroundDescription {
+  bool visible = false; ///< some option asks for one; otherwise black and transparent
+  Vec3d zenith, horizon, ground;
+};
+
+struct SceneDescription {
+  CameraDescription camera;
+  int samplesX = 2, samplesY = 2;
+  FilterKind filter = FilterKind::Gaussian;
+  double filterWidthX = 2, filterWidthY = 2;
+  double gain = 1, gamma = 1;
+  unsigned maxDepth = 8;
+  BackgroundDescription background;
+  std::string shaderPath; ///< colon-separated; & stands for the default
+  std::vector<OutputFile> outputs;
+
+  Matrix4 worldToCamera = Matrix4::identity();
+  std::map<std::string, Matrix4, std::less<>> spaces; ///< CoordinateSystem: to camera space
+  std::vector<ShaderUse> surfaces;
+  std::vector<LightUse> lights;
+  std::vector<Appearance> appearances;
+  std::vector<Shape> shapes;
+};
+
+} // namespace anysl::render
+
+#endif

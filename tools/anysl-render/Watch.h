@@ -1,0 +1,46 @@
+//===-- tools/anysl-render/Watch.h - waiting for files to change ------------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_WATCH_H
+#define ANYSL_RENDER_WATCH_H
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace anysl::render {
+
+/// Looks whether files change. It compares times and sizes, which works for editors that write a new
+/// file in place of the old one, and on every file system.
+class Watch {
+public:
+  void add(const std::vector<std::filesystem::path> &files);
+  /// Whether a file has changed since it was added. Cheap: it looks five times a second at most. Any
+  /// thread may ask.
+  bool changed();
+  /// Waits until changed().
+  void wait();
+
+private:
+  struct State {
+    std::filesystem::file_time_type time;
+    uintmax_t size;
+    friend bool operator==(const State &, const State &) = default;
+  };
+  static State look(const std::filesystem::path &file);
+
+  std::mutex lock;
+  std::map<std::filesystem::path, State> files;
+  std::chrono::steady_clock::time_point last;
+  bool seen = false;
+};
+
+} // namespace anysl::render
+
+#endif

@@ -1,0 +1,191 @@
+//===-- tools/anysl-render/anysl-render.cpp - a ray tracer for AnySL's shaders ----------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/Options.h"
+#include "tools/anysl-render/Progress.h"
+#include "tools/anysl-render/Render.h"
+#include "tools/anysl-render/RibReader.h"
+#include "tools/anysl-render/Watch.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <cstdio>
+
+namespace fs = std::filesystem;
+using namespace anysl::render;
+
+namespace {
+
+/// Where shaders are looked for, first to last: --shaders, the scene's own search path, the scene's
+/// folder, the folder of shaders next to it, the folder installed with the program.
+std::vector<fs::path> shaderPath(const Options &options, const SceneDescription &scene) {
+  std::vector<fs::path> standard;
+  fs::path sceneFolder = fs::path(options.scene).parent_path();
+  if (sceneFolder.empty())
+    sceneFolder = ".";
+  standard.push_back(sceneFolder);
+  standard.push_back(sceneFolder / ".." / "shaders");
+  standard.push_back(programFolder() / ".." / "share" / "anysl" / "shaders");
+
+  std::vector<fs::path> result(options.shaderFolders.begin(), options.shaderFolders.end());
+  std::string list = scene.shaderPath.empty() ? "&" : scene.shaderPath + ":&";
+  bool standardDone = false;
+  for (size_t begin = 0; begin <= list.size();) {
+    size_t end = std::min(list.find(':', begin), list.size());
+    std::string folder = list.substr(begin, end - begin);
+    begin = end + 1;
+    if (folder == "&" || folder == "@") {
+      if (!standardDone)
+        result.insert(result.end(), standard.begin(), standard.end());
+      standardDone = true;
+    } else if (!folder.empty()) {
+      // Relative to the scene, so that a scene may be rendered from anywhere.
+      result.push_back(fs::path(folder).is_absolute() ? fs::path(folder) : sceneFolder / folder);
+    }
+  }
+  return result;
+}
+
+void writeStats(const Options &options, const SceneDescription &scene, const RenderResult &result,
+                double setupSeconds, unsigned threads) {
+  const RenderCounts &counts = result.counts;
+  if (options.stats) {
+    std::fprintf(stderr,
+                 "  set-up    %8.3f s\n  rendering %8.3f s on %u threads\n"
+                 "  shading   %8.3f s summed over threads, %.1f ns a point\n"
+                 "  rays      %llu from the camera, %llu traced, %llu to lights\n"
+                 "  points    %llu shaded, %.1f at once\n",
+                 setupSeconds, result.seconds, threads, result.shadingSeconds,
+                 counts.points ? 1e9 * result.shadingSeconds / double(counts.points) : 0.0,
+                 (unsigned long long)counts.cameraRays, (unsigned long long)counts.traceRays,
+                 (unsigned long long)counts.shadowRays, (unsigned long long)counts.points,
+                 counts.batches ? double(counts.points) / double(counts.batches) : 0.0);
+  }
+  if (options.statsFile.empty())
+    return;
+  FILE *file = options.statsFile == "-" ? stdout : std::fopen(options.statsFile.c_str(), "w");
+  if (!file)
+    throw UserError("cannot write '" + options.statsFile + "'");
+  std::fprintf(file,
+               "{\"runtime\": \"%s\", \"real\": \"%s\", \"width\": %u, \"threads\": %u, "
+               "\"size\": [%d, %d], \"samples\": %d, \"setup_seconds\": %.6f, \"seconds\": %.6f, "
+               "\"shading_seconds\": %.6f, \"camera_rays\": %llu, \"trace_rays\": %llu, "
+               "\"shadow_rays\": %llu, \"points\": %llu, \"batches\": %llu, \"bad_pixels\": %llu}\n",
+               options.target.runtime.c_str(), options.target.real.c_str(), options.target.width,
+               threads, scene.camera.width, scene.camera.height, scene.samplesX * scene.samplesY,
+               setupSeconds, result.seconds, result.shadingSeconds,
+               (unsigned long long)counts.cameraRays, (unsigned long long)counts.traceRays,
+               (unsigned long long)counts.shadowRays, (unsigned long long)counts.points,
+               (unsigned long long)counts.batches, (unsigned long long)result.film.badPixels);
+  if (file != stdout && std::fclose(file) != 0)
+    throw UserError("cannot write '" + options.statsFile + "'");
+}
+
+/// Renders one picture and has the files it was made from watched. Returns false if a change of one of
+/// them ended it early.
+bool renderScene(const Options &options, const SceneDescription &scene, Watch *watch, unsigned threads,
+                 Warnings &warnings) {
+  auto begin = std::chrono::steady_clock::now();
+  ShaderCache cache(options.cacheFolder, options.target);
+  cache.searchPath = shaderPath(options, scene);
+  // The scalar runtime is known by its name; any other is taken for one of packets, and refused if
+  // its libraries say otherwise.
+  std::unique_ptr<Host> host;
+  try {
+    host = options.target.runtime == "scalar"
+               ? makeScalarHost(scene, cache, warnings)
+               : makePacketHost(scene, cache, options.target.width, warnings);
+  } catch (const UserError &) {
+    if (watch) // a shader that does not compile is waited for
+      watch->add(cache.sources());
+    throw;
+  }
+  if (watch)
+    watch->add(cache.sources());
+  double setup = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  Progress progress(fs::path(options.scene).filename().string(), options.quiet);
+  RenderOptions renderOptions;
+  renderOptions.timed = options.stats || !options.statsFile.empty();
+  renderOptions.progress = [&](double share) { progress.show(share); };
+  if (watch)
+    renderOptions.cancelled = [watch] { return watch->changed(); };
+  RenderResult result = render(*host, renderOptions);
+  progress.finish();
+  if (!result.complete)
+    return false;
+  if (result.film.badPixels > 0)
+    warnings.warn({}, std::to_string(result.film.badPixels) +
+                          " pixels had samples that are not numbers; those samples were left out");
+  std::string names;
+  for (const OutputFile &output : scene.outputs) {
+    writeImage(result.film, scene, output);
+    names += (names.empty() ? "" : ", ") + imageFileName(output);
+  }
+  if (!options.quiet)
+    std::fprintf(stderr, "%s: %dx%d, %s %s, width %u: %.2f s%s\n", names.c_str(), scene.camera.width,
+                 scene.camera.height, options.target.runtime.c_str(), options.target.real.c_str(),
+                 options.target.width, result.seconds,
+                 cache.compilations() ? ", shaders compiled before" : "");
+  writeStats(options, scene, result, setup, threads);
+  return true;
+}
+
+void renderFile(const Options &options, Watch *watch, unsigned threads) {
+  Warnings warnings;
+  std::vector<SceneDescription> scenes = readRib(loadSourceFile(options.scene), warnings);
+  for (SceneDescription &scene : scenes) {
+    applyOptions(options, scene);
+    if (!renderScene(options, scene, watch, threads, warnings))
+      return;
+  }
+}
+
+[[noreturn]] void watchFile(const Options &options, unsigned threads) {
+  for (;;) {
+    Watch watch;
+    watch.add({options.scene});
+    try {
+      renderFile(options, &watch, threads);
+    } catch (const UserError &error) {
+      std::fputs(error.what(), stderr); // and stay until the cause is put right
+    }
+    watch.wait();
+  }
+}
+
+} // namespace
+
+int main(int count, char **arguments) {
+  try {
+    Options options = parseOptions(count, arguments);
+    if (options.help) {
+      std::fputs(helpText, stdout);
+      return 0;
+    }
+    if (options.version) {
+      std::puts("anysl-render " ANYSL_VERSION);
+      return 0;
+    }
+    unsigned threads = options.threads ? options.threads : unsigned(tbb::info::default_concurrency());
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    if (options.watch)
+      watchFile(options, threads);
+    renderFile(options, nullptr, threads);
+    return 0;
+  } catch (const UserError &error) {
+    std::fputs(error.what(), stderr);
+    return 1;
+  } catch (const std::exception &error) {
+    std::fprintf(stderr,
+                 "anysl-render: internal error: %s\nPlease report this with the scene that led to "
+                 "it.\n",
+                 error.what());
+    return 2;
+  }
+}
