@@ -53,29 +53,34 @@ ANYSL_TIER Quadrant quadrantHuge(double x) {
   word = word > 34 ? 34 : word; // infinity and NaN
   constexpr UInt64 low32 = 0xffffffffull;
   UInt64 m0 = m & low32, m1 = m >> 32;
-  UInt64 w[7];
-  for (int i = 0; i < 7; ++i)
-    w[i] = TwoOverPiBits[word + i];
-  // v[0] is the lowest limb of the window.
-  UInt64 v[6], p[6], carry = 0;
-  for (int i = 0; i < 6; ++i)
-    v[i] = (((w[5 - i] << 32) | w[6 - i]) >> shift) & low32;
-  for (int i = 0; i < 6; ++i) {
-    UInt64 s = carry + ((m0 * v[i]) & low32);
-    if (i >= 1)
-      s += ((m0 * v[i - 1]) >> 32) + ((m1 * v[i - 1]) & low32);
-    if (i >= 2)
-      s += (m1 * v[i - 2]) >> 32;
-    p[i] = s & low32;
-    carry = s >> 32;
-  }
-  UInt64 n = (p[5] + 0x20000000ull) >> 30;
+  auto limb = [&](UInt64 i) __attribute__((always_inline)) {
+    UInt64 two = UInt64(TwoOverPiBits[word + i]) << 32 | TwoOverPiBits[word + i + 1];
+    return (two >> shift) & low32;
+  };
+  // Limb i of the product's lowest 192 bits from m0·v[i], m0·v[i−1], m1·v[i−1] and m1·v[i−2], of
+  // which the lowest limb of the window is v[0].
+  UInt64 v0 = limb(5), v1 = limb(4), v2 = limb(3), v3 = limb(2), v4 = limb(1), v5 = limb(0);
+  UInt64 p0 = m0 * v0;
+  UInt64 p1 = (p0 >> 32) + (m0 * v1 & low32) + (m1 * v0 & low32);
+  UInt64 p2 =
+      (p1 >> 32) + (m0 * v1 >> 32) + (m1 * v0 >> 32) + (m0 * v2 & low32) + (m1 * v1 & low32);
+  UInt64 p3 =
+      (p2 >> 32) + (m0 * v2 >> 32) + (m1 * v1 >> 32) + (m0 * v3 & low32) + (m1 * v2 & low32);
+  UInt64 p4 =
+      (p3 >> 32) + (m0 * v3 >> 32) + (m1 * v2 >> 32) + (m0 * v4 & low32) + (m1 * v3 & low32);
+  UInt64 p5 =
+      (p4 >> 32) + (m0 * v4 >> 32) + (m1 * v3 >> 32) + (m0 * v5 & low32) + (m1 * v4 & low32);
+  p2 &= low32;
+  p3 &= low32;
+  p4 &= low32;
+  p5 &= low32;
+  UInt64 n = (p5 + 0x20000000ull) >> 30;
   // The top word less n quadrants lies in [−2^29, 2^29).
-  double top = (wordToDouble((p[5] - (n << 30) + 0x40000000ull) & low32) - 0x1p30) * 0x1p-30;
-  Pair a = fastSum(top, wordToDouble(p[4]) * 0x1p-62);
-  Pair b = twoSum(a.low, wordToDouble(p[3]) * 0x1p-94);
+  double top = (wordToDouble((p5 - (n << 30) + 0x40000000ull) & low32) - 0x1p30) * 0x1p-30;
+  Pair a = fastSum(top, wordToDouble(p4) * 0x1p-62);
+  Pair b = twoSum(a.low, wordToDouble(p3) * 0x1p-94);
   Pair c = twoSum(a.high, b.high);
-  Pair f = fastSum(c.high, c.low + (b.low + wordToDouble(p[2]) * 0x1p-126));
+  Pair f = fastSum(c.high, c.low + (b.low + wordToDouble(p2) * 0x1p-126));
   Pair r = product(f, HalfPiPair);
   bool finite = magnitude(x) < Infinity<double>;
   r.high = finite ? r.high : NotANumber<double>;
@@ -123,7 +128,8 @@ ANYSL_TIER double tanOf(double x) {
   double z = q.r.high * q.r.high;
   Pair s = fastSum(q.r.high, sinTail(q.r, z));
   Pair c = cosPair(q.r, z);
-  c = fastSum(c.high, c.low);
+  // The quotient adds up the errors of both sides, so here the rounding of z counts too.
+  c = fastSum(c.high, c.low - 0.5 * product(q.r.high, q.r.high).low);
   bool odd = q.n & 1;
   Pair top = {odd ? -c.high : s.high, odd ? -c.low : s.low};
   Pair bottom = {odd ? s.high : c.high, odd ? s.low : c.low};
