@@ -6,9 +6,11 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-shade/Output.h"
-#include <OpenImageIO/imageio.h>
+#include "tools/anysl-shade/ImageModule.h"
 #include <cmath>
 #include <cstdio>
+#include <dlfcn.h>
+#include <filesystem>
 
 namespace anysl::shade {
 namespace {
@@ -42,6 +44,17 @@ std::string jsonPoint(const Result &result, size_t point, bool isDouble) {
     text +=
         (e ? "," : "") + jsonElement(values + e * result.components, result.components, isDouble);
   return text + "]";
+}
+
+/// The module lies in lib/anysl, beside the folder of this program.
+decltype(&anyslWriteImage) imageWriter() {
+  auto program = std::filesystem::read_symlink("/proc/self/exe");
+  auto path = program.parent_path().parent_path() / "lib/anysl/anysl-shade-image.so";
+  void *module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void *function = module ? dlsym(module, "anyslWriteImage") : nullptr;
+  if (!function)
+    throw UserError(std::string("cannot load what writes images: ") + dlerror());
+  return reinterpret_cast<decltype(&anyslWriteImage)>(function);
 }
 
 } // namespace
@@ -79,21 +92,11 @@ void writeImage(const Options &options, const std::vector<Result> &results) {
   for (const Result &result : results)
     if (result.name == "Ci")
       color = &result;
-  auto output = OIIO::ImageOutput::create(options.image);
-  if (!output)
-    throw UserError(options.image + ": " + OIIO::geterror());
-  // 8 and 16 bit formats convert by themselves: clamped to [0, 1], no gamma.
-  OIIO::ImageSpec spec(int(options.gridWidth), int(options.gridHeight), 3, OIIO::TypeDesc::FLOAT);
-  spec.attribute("Software", "anysl-shade " ANYSL_VERSION);
-  bool written = output->open(options.image, spec) &&
-                 output->write_image(OIIO::TypeDesc::DOUBLE, color->values.data());
-  std::string problem = written ? "" : output->geterror();
-  if (!output->close() && written)
-    problem = output->geterror();
-  if (!problem.empty()) {
-    std::remove(options.image.c_str());
+  std::string problem;
+  imageWriter()(options.image.c_str(), int(options.gridWidth), int(options.gridHeight),
+                color->values.data(), &problem);
+  if (!problem.empty())
     throw UserError("cannot write '" + options.image + "': " + problem);
-  }
 }
 
 } // namespace anysl::shade

@@ -1,0 +1,20 @@
+//===-- tools/anysl-shade/ImageModule.h - writes images, in a module of its own -------*- C++
+//-*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_TOOLS_ANYSL_SHADE_IMAGEMODULE_H
+#define ANYSL_TOOLS_ANYSL_SHADE_IMAGEMODULE_H
+
+#include <string>
+
+/// Writes red, green and blue of width * height pixels, the top row first. What goes wrong is put
+/// into
+/// \p problem, and no file is left.
+extern "C" __attribute__((visibility("default"))) void
+anyslWriteImage(const char *path, int width, int height, const double *rgb, std::string *problem);
+
+#endif
