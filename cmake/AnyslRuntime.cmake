@@ -12,7 +12,7 @@ set(ANYSL_BITCODE_FLAGS
     -std=c++20 -O1 -Xclang -disable-llvm-passes -ffp-contract=off -fno-math-errno
     -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-stack-protector -fno-unwind-tables
     -fno-asynchronous-unwind-tables -fPIC -nostdinc++ -nostdlibinc
-    -Wall -Wextra -Wmissing-prototypes -Werror -Wno-bitwise-instead-of-logical)
+    -Wall -Wextra -Wmissing-prototypes -Werror)
 set(ANYSL_RUNTIME_INCLUDES ${PROJECT_SOURCE_DIR}/include ${ANYSL_INCLUDE_DIR})
 set(ANYSL_REAL_SOURCE_DIR ${PROJECT_SOURCE_DIR}/runtimes/real)
 

@@ -58,7 +58,7 @@ inline anysl_float power(anysl_float x, anysl_float y) {
   magnitude = select(magnitude > largestFinite, largestFinite, magnitude);
   anysl_float result = negateIf(magnitude, isOdd & (x < 0));
   bool isUndefined = ((x < 0) & !isInteger) | ((x == 0) & (y < 0));
-  result = select(isUndefined & !isNaN(y), anysl_float(0), result);
+  result = select(isUndefined & (y == y), anysl_float(0), result);
   result = select(y == 2, x * x, result);
   result = select(y == 1, x, result);
   return select(y == 0, anysl_float(1), result);
@@ -71,17 +71,16 @@ inline anysl_float modulo(anysl_float a, anysl_float b) {
   anysl_float x = negateIf(a, sign), period = absOf(b);
   anysl_float quotient = floorOf(math::divide(x, period));
   anysl_float r = fusedMultiplyAdd(-quotient, period, x);
-  // A quotient rounded up to the next integer, or down from it, is one period off.
+  // A quotient just below an integer rounds to it, and is then one too large.
   r = select(r < 0, r + period, r);
-  r = select(r >= period, r - period, r);
   // What is left are sums that rounded to the period itself, and quotients beyond a real's digits.
-  anysl_float top = period - period * spacingBelowOne;
-  r = select(r > top, top, r);
+  r = select(r < period, r, justBelow(period));
   r = select(r < 0, anysl_float(0), r);
-  // Periods without digits of their own, and infinite quotients.
-  bool isTiny = period < smallestNormal;
   bool isEndless = absOf(quotient) > largestFinite;
-  r = select(isTiny | (isEndless & (absOf(x) <= largestFinite)), anysl_float(0), r);
+  r = select((period == 0) | isEndless, anysl_float(0), r);
+  // NaN operands fail every comparison above.
+  anysl_float sum = a + b;
+  r = select(isNaN(sum), sum, r);
   return negateIf(r, sign);
 }
 

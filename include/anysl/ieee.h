@@ -51,9 +51,6 @@ using Format = IeeeFormat<anysl_float>;
 inline constexpr anysl_float smallestNormal = Format::smallestNormal;
 inline constexpr anysl_float largestFinite = Format::largestFinite;
 inline constexpr anysl_float infinity = __builtin_inff();
-/// The spacing of the numbers just below 1.
-inline constexpr anysl_float spacingBelowOne =
-    anysl_float(0.5) / anysl_float(Format::Bits(1) << Format::fractionBits);
 
 //===-- Bits ----------------------------------------------------------------------------------===//
 
@@ -61,6 +58,9 @@ inline constexpr int signShift = sizeof(anysl_float) * 8 - 1;
 
 inline Format::Bits bitsOf(anysl_float x) { return __builtin_bit_cast(Format::Bits, x); }
 inline anysl_float fromBits(Format::Bits b) { return __builtin_bit_cast(anysl_float, b); }
+
+/// The number before x > 0.
+inline anysl_float justBelow(anysl_float x) { return fromBits(bitsOf(x) - 1); }
 
 /// -x where bit 0 of `sign` is set, else x. The other bits do not count.
 inline anysl_float negateIf(anysl_float x, uint32_t sign) {

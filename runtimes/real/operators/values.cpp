@@ -115,7 +115,8 @@ void anysl_get_matrix(anysl_float *result, const anysl_matrix *a, const anysl_fl
                       const anysl_float *column) {
   anysl_float found(0);
   repeat<16>([&](auto k) {
-    found = select(names(*row, k / 4) & names(*column, k % 4), a->m[k / 4][k % 4], found);
+    bool isRow = names(*row, k / 4), isColumn = names(*column, k % 4);
+    found = select(isRow & isColumn, a->m[k / 4][k % 4], found);
   });
   *result = found;
 }
@@ -125,6 +126,7 @@ void anysl_set_matrix(anysl_matrix *a, const anysl_float *row, const anysl_float
   anysl_float value = *x;
   repeat<16>([&](auto k) {
     anysl_float &element = a->m[k / 4][k % 4];
-    element = select(names(*row, k / 4) & names(*column, k % 4), value, element);
+    bool isRow = names(*row, k / 4), isColumn = names(*column, k % 4);
+    element = select(isRow & isColumn, value, element);
   });
 }
