@@ -50,13 +50,13 @@ namespace {
 
 } // namespace
 
-Builder::Builder(LLVMContext &context, StringRef sourceFile, StringRef producer)
+Builder::Builder(LLVMContext &context, StringRef sourceFile, StringRef producer, bool debugInfo)
     : mod(std::make_unique<Module>(sourceFile, context)), builder(context), debug(*mod) {
   mod->setSourceFileName(sourceFile);
   mod->addModuleFlag(Module::Warning, "Debug Info Version", DEBUG_METADATA_VERSION);
   debug.createCompileUnit(dwarf::DW_LANG_C, fileNamed(sourceFile), producer, /*isOptimized=*/true,
                           /*Flags=*/"", /*RV=*/0, /*SplitName=*/"",
-                          DICompileUnit::DebugEmissionKind::LineTablesOnly);
+                          debugInfo ? DICompileUnit::LineTablesOnly : DICompileUnit::NoDebug);
   mod->getOrInsertNamedMetadata(metadata::stc)
       ->addOperand(MDNode::get(context, {ConstantAsMetadata::get(builder.getInt32(stcVersion)),
                                          MDString::get(context, producer)}));
@@ -195,7 +195,7 @@ Value *Builder::element(Value *array, Value *index) {
 
 Value *Builder::call(Op op, ArrayRef<Value *> operands) {
   [[maybe_unused]] const OpInfo &operation = info(op);
-  assert(operation.purity != Purity::Structural || op == Op::index);
+  assert(operation.purity != Purity::Structural && "use alloc, allocArray, element");
   assert(operands.size() == operation.params.size() && "wrong number of operands");
   for (unsigned i = 0; i < operands.size(); ++i)
     assert(fits(operation.params[i], operands[i], context()) && "wrong type of operand");

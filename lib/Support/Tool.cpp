@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Support/Tool.h"
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/SmallString.h"
 #include "llvm/Support/ErrorHandling.h"
 #include "llvm/Support/FileSystem.h"
@@ -64,6 +65,13 @@ Tool::Tool(int &argc, char **&argv, StringLiteral name, StringLiteral overview,
   cl::HideUnrelatedOptions(category);
   cl::SetVersionPrinter(printVersion);
   cl::ParseCommandLineOptions(argc, argv, overview);
+  // The values stay; the names go, because lld registers options of its own (-mcpu) when it runs.
+  SmallVector<cl::Option *> own;
+  for (auto &entry : cl::getRegisteredOptions())
+    if (is_contained(entry.second->Categories, &category))
+      own.push_back(entry.second);
+  for (cl::Option *option : own)
+    option->removeArgument();
 }
 
 std::string Tool::resourceDir() const {

@@ -1,0 +1,77 @@
+//===-- lib/Link/CallGraph.cpp - questions about who calls whom ---------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Link/Session.h"
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/SetVector.h"
+#include "llvm/IR/InstIterator.h"
+#include "llvm/IR/Instructions.h"
+#include "llvm/IR/IntrinsicInst.h"
+
+using namespace llvm;
+
+namespace anysl::link {
+namespace {
+
+/// A depth-first walk over direct calls that keeps its path.
+class RecursionFinder {
+public:
+  explicit RecursionFinder(Session &session) : session(session) {}
+
+  bool visit(Function &function) {
+    path.insert(&function);
+    for (Instruction &instruction : instructions(function)) {
+      auto *call = dyn_cast<CallBase>(&instruction);
+      Function *callee = call ? call->getCalledFunction() : nullptr;
+      if (!callee || callee->isDeclaration() || done.contains(callee))
+        continue;
+      if (path.contains(callee)) {
+        report(*call, *callee);
+        return false;
+      }
+      if (!visit(*callee))
+        return false;
+    }
+    path.remove(&function);
+    done.insert(&function);
+    return true;
+  }
+
+private:
+  void report(CallBase &call, Function &callee) {
+    std::string cycle;
+    auto *first = find(path, &callee);
+    for (Function *function : make_range(first, path.end()))
+      cycle += function->getName().str() + " → ";
+    session.diags.error(stc::positionOf(call),
+                        "recursion, which shaders cannot have: " + cycle + callee.getName());
+  }
+
+  Session &session;
+  SmallSetVector<Function *, 16> path;
+  SmallPtrSet<Function *, 32> done;
+};
+
+} // namespace
+
+bool refuseRecursion(Session &session, Function &root) {
+  return RecursionFinder(session).visit(root);
+}
+
+std::vector<std::string> callsIn(const Function &function) {
+  SetVector<StringRef> names;
+  for (const Instruction &instruction : instructions(function)) {
+    auto *call = dyn_cast<CallBase>(&instruction);
+    if (!call || isa<IntrinsicInst>(call))
+      continue;
+    const Function *callee = call->getCalledFunction();
+    names.insert(callee ? callee->getName() : "a service");
+  }
+  return {names.begin(), names.end()};
+}
+
+} // namespace anysl::link

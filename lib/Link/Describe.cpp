@@ -1,0 +1,142 @@
+//===-- lib/Link/Describe.cpp - writes the library's descriptor ---------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// `anysl_library`, an AnyslLibraryInfo of <anysl/abi.h> as constant data. The structures are spelt here
+// as LLVM types; that their sizes are those of the C header is checked when they are made.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Link/Session.h"
+#include "lib/Support/Tool.h"
+#include "llvm/IR/Constants.h"
+#include "llvm/IR/IRBuilder.h"
+#include "llvm/IR/Module.h"
+#include "llvm/Target/TargetMachine.h"
+#include "llvm/Transforms/IPO/Internalize.h"
+#include <anysl/abi.h>
+
+using namespace llvm;
+
+namespace anysl::link {
+namespace {
+
+class Descriptor {
+public:
+  explicit Descriptor(Session &session)
+      : session(session), module(*session.module), builder(session.context) {}
+
+  void build() {
+    SmallVector<Constant *> shaders;
+    for (const Shader &shader : session.shaders)
+      shaders.push_back(shaderInfo(shader));
+    Constant *info = structure(
+        sizeof(AnyslLibraryInfo),
+        {u32(ANYSL_MAGIC), u32(ANYSL_ABI_VERSION), u32(sizeof(AnyslLibraryInfo)), layout(), real(),
+         u32(ANYSL_GLOBAL_COUNT), u32(ANYSL_COMPONENT_COUNT), u32(sizeof(AnyslShadeArgs)),
+         u32(sizeof(AnyslServices)), u32(unsigned(shaders.size())), array(shaders),
+         text("AnySL " ANYSL_VERSION), text(session.options.runtime), text(session.options.real),
+         text(session.options.math), text(session.target.getTargetCPU()),
+         text(cpuFeatures(session.target))});
+    auto *library = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
+                                       GlobalValue::ExternalLinkage, info, ANYSL_LIBRARY_SYMBOL);
+    library->setAlignment(Align(8));
+  }
+
+private:
+  Constant *u32(uint32_t value) { return builder.getInt32(value); }
+  Constant *u64(uint64_t value) { return builder.getInt64(value); }
+
+  Constant *text(StringRef value) {
+    auto *data = ConstantDataArray::getString(session.context, value);
+    auto *global = new GlobalVariable(module, data->getType(), true, GlobalValue::PrivateLinkage,
+                                      data, "anysl.text");
+    global->setUnnamedAddr(GlobalValue::UnnamedAddr::Global);
+    global->setAlignment(Align(1));
+    return global;
+  }
+
+  /// A structure that must have the size of its counterpart in C.
+  Constant *structure(size_t size, ArrayRef<Constant *> fields) {
+    Constant *value = ConstantStruct::getAnon(session.context, fields);
+    if (module.getDataLayout().getTypeAllocSize(value->getType()) != size)
+      reportInternalError("the descriptor does not match <anysl/abi.h>");
+    return value;
+  }
+
+  /// Points to the elements; null if there are none.
+  Constant *array(ArrayRef<Constant *> elements) {
+    if (elements.empty())
+      return ConstantPointerNull::get(builder.getPtrTy());
+    auto *type = ArrayType::get(elements[0]->getType(), elements.size());
+    return new GlobalVariable(module, type, true, GlobalValue::PrivateLinkage,
+                              ConstantArray::get(type, elements), "anysl.table");
+  }
+
+  Constant *layout() {
+    auto *variable = module.getNamedGlobal("anysl_runtime_layout");
+    auto *value = variable && variable->hasInitializer()
+                      ? dyn_cast<ConstantInt>(variable->getInitializer())
+                      : nullptr;
+    if (!value || !value->getType()->isIntegerTy(32))
+      reportInternalError("runtime '" + session.options.runtime +
+                          "' does not define 'anysl_runtime_layout'");
+    return value;
+  }
+
+  /// The arrays' number format is that of a float; a real that carries more than a number (a value
+  /// with derivatives) starts with it.
+  Constant *real() {
+    auto *variable = module.getNamedGlobal("anysl_type_float");
+    Type *type = variable ? variable->getValueType() : nullptr;
+    while (type && (type->isStructTy() || type->isArrayTy()))
+      type = type->getContainedType(0);
+    return u32(type && type->isDoubleTy() ? ANYSL_REAL_DOUBLE : ANYSL_REAL_FLOAT);
+  }
+
+  Constant *paramInfo(const stc::ParamInfo &param, bool fixed) {
+    uint32_t flags = (param.storage == stc::Storage::Varying ? ANYSL_PARAM_VARYING : 0) |
+                     (param.output ? ANYSL_PARAM_OUTPUT : 0) | (fixed ? ANYSL_PARAM_FIXED : 0);
+    return structure(sizeof(AnyslParamInfo),
+                     {text(param.name), u32(uint32_t(param.type)), u32(flags),
+                      u32(param.arrayLength), u32(param.firstCell)});
+  }
+
+  Constant *shaderInfo(const Shader &shader) {
+    SmallVector<Constant *> params, entries;
+    for (unsigned i = 0; i < shader.info.params.size(); ++i)
+      params.push_back(paramInfo(shader.info.params[i], shader.fixed[i]));
+    for (const Entry &entry : shader.entries)
+      entries.push_back(
+          structure(sizeof(AnyslEntryInfo), {u32(entry.width), entry.function}));
+    uint64_t read = 0, written = 0;
+    for (const stc::GlobalInfo &global : shader.info.globals) {
+      read |= uint64_t(global.read) << global.id;
+      written |= uint64_t(global.written) << global.id;
+    }
+    return structure(sizeof(AnyslShaderInfo),
+                     {text(shader.info.name), u32(uint32_t(shader.info.kind)),
+                      u32(unsigned(params.size())), array(params), u32(shader.info.cellCount()),
+                      u32(unsigned(entries.size())), array(entries), u64(read), u64(written),
+                      u32(shader.services), u32(shader.effects), shader.init});
+  }
+
+  Session &session;
+  Module &module;
+  IRBuilder<> builder;
+};
+
+} // namespace
+
+bool describe(Session &session) {
+  Descriptor(session).build();
+  internalizeModule(*session.module, [](const GlobalValue &value) {
+    return value.getName() == ANYSL_LIBRARY_SYMBOL;
+  });
+  return true;
+}
+
+} // namespace anysl::link

@@ -1,0 +1,156 @@
+//===-- lib/Link/Inputs.cpp - finds and opens what is linked ------------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Link/Session.h"
+#include "lib/STC/Writer.h"
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/SmallString.h"
+#include "llvm/ADT/StringSet.h"
+#include "llvm/Bitcode/BitcodeReader.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/MemoryBuffer.h"
+#include "llvm/Support/Path.h"
+#include "llvm/Target/TargetMachine.h"
+
+using namespace llvm;
+
+namespace anysl::link {
+namespace {
+
+constexpr StringLiteral shadelibName = "shadelib.stc.bc";
+
+/// The file names of a folder without their suffix `.bc`, sorted.
+std::vector<std::string> modulesIn(const Twine &folder) {
+  std::vector<std::string> names;
+  std::error_code code;
+  for (sys::fs::directory_iterator entry(folder, code), end; entry != end && !code;
+       entry.increment(code)) {
+    StringRef file = sys::path::filename(entry->path());
+    if (file.consume_back(".bc"))
+      names.push_back(file.str());
+  }
+  llvm::sort(names);
+  return names;
+}
+
+std::string join(const std::vector<std::string> &names) {
+  std::string result;
+  for (const std::string &name : names)
+    result += (result.empty() ? "" : ", ") + name;
+  return result.empty() ? "none" : result;
+}
+
+/// Reports a name that stands for no module of a folder.
+bool unknownName(Session &session, StringRef what, StringRef name,
+                 const std::vector<std::string> &known) {
+  SmallVector<StringRef> candidates(known.begin(), known.end());
+  session.diags.error("there is no " + what + " '" + name + "'" + didYouMean(name, candidates) +
+                      (known.empty() ? " (none is installed in '" + session.options.resourceDir + "')"
+                                     : " (there are: " + join(known) + ")"));
+  return false;
+}
+
+/// Opens one layer; function bodies stay unread.
+bool openLayer(Session &session, StringRef name, const Twine &path) {
+  SmallString<256> file;
+  path.toVector(file);
+  auto refuse = [&](const Twine &reason) {
+    session.diags.error(FilePosition{file.str().str()}, name + ": " + reason);
+    return false;
+  };
+  auto buffer = MemoryBuffer::getFile(file);
+  if (!buffer)
+    return refuse("cannot read the file: " + buffer.getError().message());
+  if (stc::checkChecksum((*buffer)->getBuffer()) == stc::Checksum::Wrong)
+    return refuse("damaged bitcode: the contents do not match their checksum");
+  auto module = getLazyBitcodeModule((*buffer)->getMemBufferRef(), session.context);
+  if (!module)
+    return refuse("damaged bitcode: " + toString(module.takeError()));
+  (*module)->setDataLayout(session.target.createDataLayout());
+  (*module)->setTargetTriple(session.target.getTargetTriple().str());
+  session.layers.push_back({name.str(), std::move(*buffer), std::move(*module)});
+  return true;
+}
+
+} // namespace
+
+std::vector<std::string> availableRuntimes(StringRef resourceDir) {
+  std::vector<std::string> names;
+  for (StringRef name : modulesIn(resourceDir + "/runtime"))
+    names.push_back(name.rsplit('.').first.str());
+  names.erase(unique(names), names.end());
+  return names;
+}
+
+std::vector<std::string> availableReals(StringRef resourceDir) {
+  return modulesIn(resourceDir + "/real");
+}
+
+std::vector<std::string> availableMathTiers(StringRef resourceDir) {
+  return modulesIn(resourceDir + "/math");
+}
+
+bool openLayers(Session &session) {
+  const LinkOptions &options = session.options;
+  StringRef folder = options.resourceDir;
+  auto runtimes = availableRuntimes(folder), reals = availableReals(folder),
+       tiers = availableMathTiers(folder);
+  if (!is_contained(runtimes, options.runtime))
+    return unknownName(session, "runtime", options.runtime, runtimes);
+  if (!is_contained(reals, options.real))
+    return unknownName(session, "real", options.real, reals);
+  if (!is_contained(tiers, options.math))
+    return unknownName(session, "math tier", options.math, tiers);
+  if (!is_contained(modulesIn(folder + "/runtime"), options.runtime + "." + options.real)) {
+    session.diags.error("runtime '" + options.runtime + "' does not work with real '" +
+                        options.real + "'");
+    return false;
+  }
+  return openLayer(session, "the shading library", folder + "/" + shadelibName) &&
+         openLayer(session, "real '" + options.real + "'", folder + "/real/" + options.real + ".bc") &&
+         openLayer(session, "runtime '" + options.runtime + "'",
+                   folder + "/runtime/" + options.runtime + "." + options.real + ".bc") &&
+         openLayer(session, "math tier '" + options.math + "'",
+                   folder + "/math/" + options.math + ".bc");
+}
+
+bool readInputs(Session &session, ArrayRef<std::string> files) {
+  StringMap<std::string> seen;
+  bool good = true;
+  for (const std::string &path : files) {
+    auto file = stc::readFile(session.diags, session.context, path);
+    if (!file) {
+      good = false;
+      continue;
+    }
+    for (const stc::ShaderInfo &info : file->shaders) {
+      auto [entry, isNew] = seen.try_emplace(info.name, path);
+      if (!isNew) {
+        session.diags.error(FilePosition{path}, "shader '" + info.name + "' is also in '" +
+                                                    entry->second + "'");
+        good = false;
+        continue;
+      }
+      Shader shader;
+      shader.info = info;
+      shader.fixed.resize(info.params.size());
+      shader.report.name = info.name;
+      shader.report.kind = nameOf(info.kind).str();
+      shader.report.stcInstructions = info.body->getInstructionCount();
+      session.shaders.push_back(std::move(shader));
+    }
+    session.files.push_back(std::move(*file));
+  }
+  if (good && session.shaders.empty()) {
+    session.diags.error("there is no shader in " +
+                        (files.size() == 1 ? "'" + files[0] + "'" : "these files"));
+    good = false;
+  }
+  return good && openLayers(session);
+}
+
+} // namespace anysl::link

@@ -1,0 +1,77 @@
+//===-- lib/Link/Report.h - what linking did ----------------------------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_LIB_LINK_REPORT_H
+#define ANYSL_LIB_LINK_REPORT_H
+
+#include "lib/Support/Diagnostics.h"
+#include "llvm/Support/JSON.h"
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace anysl::link {
+
+struct StageTime {
+  std::string stage;
+  double milliseconds = 0;
+};
+
+/// Something that widening could not do for all lanes at once.
+struct WideningRemark {
+  unsigned width = 0;
+  std::string kind; ///< "lane by lane", "gather", "divergent loop"
+  std::string message;
+  FilePosition position;
+};
+
+struct ShaderReport {
+  std::string name;
+  std::string kind;
+  unsigned stcInstructions = 0;
+  /// Instructions of the scalar function, optimised.
+  unsigned scalarInstructions = 0;
+  /// Calls in the scalar function that are no intrinsics: services and what the runtime keeps apart.
+  std::vector<std::string> callsLeft;
+  /// The operators that the shader reaches, library functions included.
+  std::vector<std::string> ops, effects, services, globalsRead, globalsWritten, fixedParams;
+  std::vector<unsigned> widths;
+  std::vector<WideningRemark> remarks;
+};
+
+struct Report {
+  std::string runtime, real, math, cpu;
+  std::vector<ShaderReport> shaders;
+  std::vector<StageTime> times;
+  std::string output;
+  uint64_t outputBytes = 0;
+
+  llvm::json::Value toJson() const;
+  /// A table of the stages' times.
+  void printTimes(llvm::raw_ostream &out) const;
+};
+
+/// Adds the time from its making to its end to a report.
+class StageTimer {
+public:
+  StageTimer(Report &report, llvm::StringRef stage)
+      : report(report), stage(stage.str()), start(Clock::now()) {}
+  ~StageTimer() {
+    std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
+    report.times.push_back({stage, elapsed.count()});
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Report &report;
+  std::string stage;
+  Clock::time_point start;
+};
+
+} // namespace anysl::link
+
+#endif

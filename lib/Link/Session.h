@@ -1,0 +1,92 @@
+//===-- lib/Link/Session.h - what the stages of one link share ----------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_LIB_LINK_SESSION_H
+#define ANYSL_LIB_LINK_SESSION_H
+
+#include "lib/Link/Linker.h"
+#include "lib/STC/Reader.h"
+#include "llvm/ADT/BitVector.h"
+
+namespace llvm {
+class MemoryBuffer;
+}
+
+namespace anysl::link {
+
+/// A module of definitions. Of two layers that define a name, the later one counts.
+struct Layer {
+  /// For messages: "runtime 'packet'".
+  std::string name;
+  std::unique_ptr<llvm::MemoryBuffer> buffer;
+  /// Bodies are read when they are needed.
+  std::unique_ptr<llvm::Module> module;
+};
+
+struct Entry {
+  unsigned width = 0;
+  llvm::Function *function = nullptr;
+};
+
+struct Shader {
+  /// Names and parameters. `body` and `init` are there until the stage `bind`.
+  stc::ShaderInfo info;
+  /// Which parameters are constants.
+  llvm::BitVector fixed;
+  /// void (ptr args, i32 point), from `bind` on.
+  llvm::Function *point = nullptr;
+  /// void (ptr args): computes the defaults.
+  llvm::Function *init = nullptr;
+  std::vector<Entry> entries;
+  /// Bits as in AnyslShaderInfo.
+  uint32_t effects = 0;
+  uint32_t services = 0;
+  ShaderReport report;
+};
+
+/// One link. Stages take it and change it; a stage that gives false has reported an error.
+struct Session {
+  Session(DiagnosticEngine &diags, llvm::LLVMContext &context, const LinkOptions &options,
+          llvm::TargetMachine &target)
+      : diags(diags), context(context), options(options), target(target) {}
+
+  DiagnosticEngine &diags;
+  llvm::LLVMContext &context;
+  const LinkOptions &options;
+  llvm::TargetMachine &target;
+
+  /// Shaders' files; their modules are used up by `link`.
+  std::vector<stc::StcModule> files;
+  /// Shading library, real, runtime, math tier; used up by `link`.
+  std::vector<Layer> layers;
+  /// The widths to build, in ascending order.
+  std::vector<unsigned> widths;
+  std::vector<Shader> shaders;
+  std::unique_ptr<llvm::Module> module;
+  Report report;
+};
+
+/// Reads the shaders' files and opens the layers.
+bool readInputs(Session &session, llvm::ArrayRef<std::string> files);
+
+#define LINK_STAGE(name, function, doc) bool function(Session &session);
+#include "lib/Link/Stages.def"
+
+/// Opens runtime, real and math tier of a resource folder.
+bool openLayers(Session &session);
+
+/// Reports recursion among what a function calls; there is no stack for it where shaders run, and
+/// inlining would not end. Gives false if there is any.
+bool refuseRecursion(Session &session, llvm::Function &root);
+
+/// Direct calls in a function of what has a body or a name: everything but intrinsics. Indirect calls
+/// count as "a service".
+std::vector<std::string> callsIn(const llvm::Function &function);
+
+} // namespace anysl::link
+
+#endif

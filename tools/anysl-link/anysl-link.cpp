@@ -1,0 +1,161 @@
+//===-- tools/anysl-link/anysl-link.cpp - from STC files to a shader library --------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Emit/Emit.h"
+#include "lib/Emit/Target.h"
+#include "lib/Link/Linker.h"
+#include "lib/Support/Output.h"
+#include "lib/Support/Tool.h"
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/IR/LLVMContext.h"
+#include "llvm/Support/CommandLine.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Path.h"
+
+using namespace llvm;
+using namespace anysl;
+
+namespace {
+
+cl::OptionCategory category("anysl-link");
+
+cl::list<std::string> inputs(cl::Positional, cl::OneOrMore, cl::desc("FILE.stc.bc..."),
+                             cl::cat(category));
+cl::opt<std::string> output("o", cl::desc("Write to FILE; its suffix says what (default: the first "
+                                          "input's name with the suffix of --emit)"),
+                            cl::value_desc("FILE"), cl::cat(category));
+cl::opt<std::string> emitKind("emit", cl::desc("What to write: so, obj, asm, bc or ll (default: by "
+                                               "the suffix of -o, else so)"),
+                              cl::value_desc("KIND"), cl::cat(category));
+cl::opt<std::string> runtime("runtime", cl::desc("The renderer's runtime (default: packet)"),
+                             cl::init("packet"), cl::value_desc("NAME"), cl::cat(category));
+cl::opt<std::string> real("real", cl::desc("What a float is (default: float)"), cl::init("float"),
+                          cl::value_desc("NAME"), cl::cat(category));
+cl::opt<std::string> math("math", cl::desc("How exact mathematics is (default: u10, within 1 ULP)"),
+                          cl::init("u10"), cl::value_desc("TIER"), cl::cat(category));
+cl::opt<std::string> width("width", cl::desc("Points at once: of 1,4,8,16, or native: one, and what "
+                                             "suits the processor (default)"),
+                           cl::init("native"), cl::value_desc("N,N..."), cl::cat(category));
+cl::opt<std::string> cpu("mcpu", cl::desc("The processor, as LLVM names it (default: native)"),
+                         cl::init("native"), cl::value_desc("CPU"), cl::cat(category));
+cl::opt<std::string> triple("target", cl::desc("The system, as LLVM names it (default: this one)"),
+                            cl::value_desc("TRIPLE"), cl::cat(category));
+cl::list<std::string> params("param", cl::desc("Make a parameter constant; without SHADER, in every "
+                                               "shader that has it"),
+                             cl::value_desc("[SHADER.]NAME=value[,value...]"), cl::cat(category));
+cl::opt<std::string> reportFile("report", cl::desc("Write what was done to FILE as JSON"),
+                                cl::value_desc("FILE"), cl::cat(category));
+cl::opt<bool> timeStages("time-stages", cl::desc("Print how long each stage took"),
+                         cl::cat(category));
+cl::opt<std::string> dumpAfter("dump-after", cl::desc("Print the code after a stage and stop: "
+#define LINK_STAGE(name, function, doc) #name " "
+#include "lib/Link/Stages.def"
+                                                      ),
+                               cl::value_desc("STAGE"), cl::cat(category));
+
+/// The kind of output that the command line asks for. Nothing, with an error, if it contradicts itself.
+std::optional<OutputKind> chooseKind(DiagnosticEngine &diags) {
+  if (!emitKind.empty()) {
+    auto kind = outputKindNamed(emitKind);
+    if (!kind)
+      diags.error("--emit=" + emitKind + ": there are so, obj, asm, bc and ll");
+    return kind;
+  }
+  if (output.empty())
+    return OutputKind::SharedLibrary;
+  auto kind = outputKindOfFile(output);
+  if (!kind)
+    diags.error("-o " + output + ": the suffix is none of .so .o .s .bc .ll; say what is meant with "
+                                 "--emit");
+  return kind;
+}
+
+/// `wood.stc.bc` gives `wood.so`, in the current folder.
+std::string defaultOutput(StringRef input, OutputKind kind) {
+  StringRef stem = input == "-" ? "shader" : sys::path::filename(input);
+  for (StringRef suffix : {".bc", ".ll", ".stc"})
+    stem.consume_back(suffix);
+  return (stem + suffixOf(kind)).str();
+}
+
+/// Reads --width. Gives false, with an error, if it is not a list of widths.
+bool parseWidths(DiagnosticEngine &diags, std::vector<unsigned> &widths) {
+  if (width == "native")
+    return true;
+  SmallVector<StringRef> words;
+  StringRef(width).split(words, ',');
+  for (StringRef word : words) {
+    unsigned value = 0;
+    if (word.trim().getAsInteger(10, value) || !is_contained({1u, 4u, 8u, 16u}, value)) {
+      diags.error("--width=" + width + ": expected a list of 1, 4, 8 and 16, or native");
+      return false;
+    }
+    widths.push_back(value);
+  }
+  return true;
+}
+
+bool writeReport(DiagnosticEngine &diags, const link::Report &report) {
+  return reportFile.empty() || writeFile(diags, reportFile, [&](raw_pwrite_stream &out) {
+           out << formatv("{0:2}\n", report.toJson());
+           return Error::success();
+         });
+}
+
+bool run(DiagnosticEngine &diags, const Tool &tool) {
+  auto kind = chooseKind(diags);
+  if (!kind)
+    return false;
+  link::LinkOptions options;
+  options.resourceDir = tool.resourceDir();
+  options.runtime = runtime;
+  options.real = real;
+  options.math = math;
+  options.params.assign(params.begin(), params.end());
+  if (!parseWidths(diags, options.widths))
+    return false;
+  if (!dumpAfter.empty()) {
+    if (!is_contained(link::stageNames(), StringRef(dumpAfter))) {
+      diags.error("--dump-after=" + dumpAfter + ": there is no such stage" +
+                  didYouMean(dumpAfter, link::stageNames()));
+      return false;
+    }
+    options.dumpAfter = dumpAfter;
+    options.dump = &outs();
+  }
+  auto target = makeTarget(diags, cpu, triple);
+  if (!target)
+    return false;
+
+  LLVMContext context;
+  std::vector<std::string> files(inputs.begin(), inputs.end());
+  auto result = link::linkShaders(diags, context, files, options, *target);
+  if (!result)
+    return !diags.hasErrors();
+
+  std::string path = output.empty() ? defaultOutput(files[0], *kind) : std::string(output);
+  {
+    link::StageTimer timer(result->report, "emit");
+    if (!emitModule(diags, *result->module, *target, *kind, path))
+      return false;
+  }
+  result->report.output = path;
+  if (path != "-")
+    (void)sys::fs::file_size(path, result->report.outputBytes);
+  if (timeStages)
+    result->report.printTimes(errs());
+  return writeReport(diags, result->report);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  Tool tool(argc, argv, "anysl-link",
+            "Links shaders (STC files) with a renderer's runtime into native code.\n", category);
+  DiagnosticEngine diags("anysl-link");
+  return run(diags, tool) ? success : userError;
+}
