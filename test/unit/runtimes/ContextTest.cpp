@@ -1,0 +1,497 @@
+//===-- test/unit/runtimes/ContextTest.cpp - the operators that ask for a context, in each interface
+//runtime ===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Compiled with the sources of one interface runtime. ANYSL_TEST_AOS says which layout it reads.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "Operators.h"
+#include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+std::function<void(anysl_context *)> shader, defaults;
+
+/// Sixteen points of a batch, whose globals and per-point parameters are set by name, whatever the
+/// layout.
+class Batch {
+public:
+  static constexpr uint32_t count = 16;
+
+  Batch() {
+#define ANYSL_GLOBAL(id, name, type, components, storage, doc)                                     \
+  first[ANYSL_##name] = ANYSL_COMPONENT_##name;                                                    \
+  isUniform[ANYSL_##name] = std::strcmp(#storage, "uniform") == 0;
+#include <anysl/Globals.def>
+#ifdef ANYSL_TEST_AOS
+    pointers = {reals.data()};
+#else
+    for (int c = 0; c < ANYSL_COMPONENT_COUNT; ++c)
+      pointers.push_back(&reals[c * count]);
+#endif
+    services.struct_size = sizeof services;
+    args.struct_size = sizeof args;
+    args.count = count;
+    args.globals = pointers.data();
+    args.services = &services;
+    args.data_stride = count;
+    args.renderer = this;
+    args.params = cells.data();
+    args.param_is_set = isSet;
+    args.param_data = data;
+  }
+
+  Real &global(int id, int component, uint32_t point) {
+#ifdef ANYSL_TEST_AOS
+    return reals[point * ANYSL_COMPONENT_COUNT + first[id] + component];
+#else
+    return reals[(first[id] + component) * count + (isUniform[id] ? 0 : point)];
+#endif
+  }
+
+  /// Element `element`, component `component` of `components`, of a parameter given point by point.
+  Real &varying(std::vector<Real> &values, int components, int element, int component,
+                uint32_t point) {
+#ifdef ANYSL_TEST_AOS
+    return values[(element * count + point) * components + component];
+#else
+    return values[(element * components + component) * count + point];
+#endif
+  }
+
+  void shade(uint32_t point, std::function<void(anysl_context *)> body) {
+    shader = std::move(body);
+    anysl_runtime_shade_point(&args, point);
+  }
+
+  std::vector<Real> reals = std::vector<Real>(ANYSL_COMPONENT_COUNT * count);
+  std::vector<void *> pointers;
+  std::vector<AnyslCell> cells = std::vector<AnyslCell>(64);
+  uint8_t isSet[8] = {};
+  void *data[8] = {};
+  int first[ANYSL_GLOBAL_COUNT];
+  bool isUniform[ANYSL_GLOBAL_COUNT];
+  AnyslServices services = {};
+  AnyslShadeArgs args = {};
+};
+
+template <auto Load>
+auto load(anysl_context *context, uint32_t id) {
+  auto result = [&]<typename T>(void (*op)(T *, anysl_context *, uint32_t)) {
+    T value;
+    op(&value, context, id);
+    return value;
+  };
+  return result(use<Load>());
+}
+
+} // namespace
+
+extern "C" void anysl_shader_body(anysl_context *context) { shader(context); }
+extern "C" void anysl_shader_init(anysl_context *context) { defaults(context); }
+
+//===-- Globals and parameters
+//------------------------------------------------------------------===//
+
+TEST_CASE("a point's globals are read and written where the layout has them") {
+  Batch batch;
+  for (uint32_t p = 0; p < Batch::count; ++p) {
+    for (int c = 0; c < 3; ++c) {
+      batch.global(ANYSL_N, c, p) = Real(100 * c + p);
+      batch.global(ANYSL_Cs, c, p) = Real(1000 * c + p);
+    }
+    batch.global(ANYSL_s, 0, p) = Real(10000 + p);
+    batch.global(ANYSL_time, 0, p) = Real(0.25);
+  }
+  for (uint32_t p = 0; p < Batch::count; ++p)
+    batch.shade(p, [&](anysl_context *context) {
+      checkVector(load<anysl_load_global_vector>(context, ANYSL_N), p, 100 + p, 200 + p);
+      checkColor(load<anysl_load_global_color>(context, ANYSL_Cs), p, 1000 + p, 2000 + p);
+      CHECK(load<anysl_load_global_float>(context, ANYSL_s) == Real(10000 + p));
+      CHECK(load<anysl_load_global_float>(context, ANYSL_time) == Real(0.25));
+      anysl_color Ci(Real(p), Real(p + 1), Real(p + 2));
+      use<anysl_store_global_color>()(context, ANYSL_Ci, &Ci);
+      anysl_vector P(Real(-1.0 * p), 7, 8);
+      use<anysl_store_global_vector>()(context, ANYSL_P, &P);
+      Real alpha = Real(0.5 * p);
+      use<anysl_store_global_float>()(context, ANYSL_alpha, &alpha);
+    });
+  for (uint32_t p = 0; p < Batch::count; ++p) {
+    CHECK(batch.global(ANYSL_Ci, 0, p) == Real(p));
+    CHECK(batch.global(ANYSL_Ci, 2, p) == Real(p + 2));
+    CHECK(batch.global(ANYSL_P, 0, p) == -Real(p));
+    CHECK(batch.global(ANYSL_P, 2, p) == 8);
+    CHECK(batch.global(ANYSL_alpha, 0, p) == Real(0.5 * p));
+    CHECK(batch.global(ANYSL_N, 1, p) == Real(100 + p));
+  }
+}
+
+TEST_CASE("uniform parameters lie in cells") {
+  Batch batch;
+  for (size_t k = 0; k < batch.cells.size(); ++k)
+    batch.cells[k].number = double(k);
+  batch.cells[40].string = "marble";
+  batch.shade(3, [&](anysl_context *context) {
+    CHECK(load<anysl_load_param_float>(context, 5) == 5);
+    checkColor(load<anysl_load_param_color>(context, 6), 6, 7, 8);
+    checkVector(load<anysl_load_param_vector>(context, 9), 9, 10, 11);
+    checkMatrix(load<anysl_load_param_matrix>(context, 12),
+                {{12, 13, 14, 15}, {16, 17, 18, 19}, {20, 21, 22, 23}, {24, 25, 26, 27}});
+    CHECK(std::strcmp(load<anysl_load_param_string>(context, 40), "marble") == 0);
+  });
+}
+
+TEST_CASE("defaults are stored in cells") {
+  Batch batch;
+  batch.isSet[1] = 1;
+  defaults = [&](anysl_context *context) {
+    CHECK_FALSE(use<anysl_param_is_set>()(context, 0));
+    CHECK(use<anysl_param_is_set>()(context, 1));
+    Real x = 2;
+    anysl_color color(3, 4, 5);
+    anysl_vector vector(6, 7, 8);
+    anysl_matrix matrix;
+    for (int k = 0; k < 16; ++k)
+      matrix.m[k / 4][k % 4] = Real(10 + k);
+    anysl_string text = "text";
+    use<anysl_store_param_float>()(context, 2, &x);
+    use<anysl_store_param_color>()(context, 3, &color);
+    use<anysl_store_param_vector>()(context, 6, &vector);
+    use<anysl_store_param_matrix>()(context, 10, &matrix);
+    use<anysl_store_param_string>()(context, 26, &text);
+  };
+  anysl_runtime_init(&batch.args);
+  for (int k = 2; k < 9; ++k)
+    CHECK(batch.cells[k].number == k);
+  for (int k = 10; k < 26; ++k)
+    CHECK(batch.cells[k].number == k);
+  CHECK(std::strcmp(batch.cells[26].string, "text") == 0);
+}
+
+TEST_CASE("parameters given point by point are read, and written where they are wanted") {
+  Batch batch;
+  const uint32_t p = 5;
+  std::vector<Real> numbers(2 * Batch::count), triples(6 * Batch::count),
+      matrices(16 * Batch::count);
+  batch.data[1] = numbers.data(), batch.data[2] = triples.data(), batch.data[3] = matrices.data();
+  batch.varying(numbers, 1, 1, 0, p) = 4;
+  for (int c = 0; c < 3; ++c)
+    batch.varying(triples, 3, 1, c, p) = Real(10 + c);
+  for (int c = 0; c < 16; ++c)
+    batch.varying(matrices, 16, 0, c, p) = Real(c);
+  batch.shade(p, [&](anysl_context *context) {
+    CHECK_FALSE(use<anysl_param_is_bound>()(context, 0));
+    CHECK(use<anysl_param_is_bound>()(context, 1));
+    Real x;
+    use<anysl_load_varying_float>()(&x, context, 1, 1);
+    CHECK(x == 4);
+    anysl_color color;
+    use<anysl_load_varying_color>()(&color, context, 2, 1);
+    checkColor(color, 10, 11, 12);
+    anysl_vector vector;
+    use<anysl_load_varying_vector>()(&vector, context, 2, 1);
+    checkVector(vector, 10, 11, 12);
+    anysl_matrix matrix;
+    use<anysl_load_varying_matrix>()(&matrix, context, 3, 0);
+    checkMatrix(matrix, {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10, 11}, {12, 13, 14, 15}});
+
+    x = 40, color = {1, 2, 3}, matrix.m[3][3] = 99;
+    vector = {4, 5, 6};
+    for (uint32_t id : {0u, 1u})
+      use<anysl_store_varying_float>()(context, id, 0, &x);
+    for (uint32_t id : {0u, 2u}) {
+      use<anysl_store_varying_color>()(context, id, 0, &color);
+      use<anysl_store_varying_vector>()(context, id, 1, &vector);
+    }
+    for (uint32_t id : {0u, 3u})
+      use<anysl_store_varying_matrix>()(context, id, 0, &matrix);
+  });
+  CHECK(batch.varying(numbers, 1, 0, 0, p) == 40);
+  CHECK(batch.varying(numbers, 1, 0, 0, p + 1) == 0);
+  CHECK(batch.varying(triples, 3, 0, 2, p) == 3);
+  CHECK(batch.varying(triples, 3, 1, 0, p) == 4);
+  CHECK(batch.varying(triples, 3, 1, 0, p + 1) == 0);
+  CHECK(batch.varying(matrices, 16, 0, 15, p) == 99);
+}
+
+TEST_CASE("a batch without any per-point parameters binds none") {
+  Batch batch;
+  batch.args.param_data = nullptr;
+  batch.shade(0, [&](anysl_context *context) {
+    CHECK_FALSE(use<anysl_param_is_bound>()(context, 3));
+    Real x = 1;
+    use<anysl_store_varying_float>()(context, 3, 0, &x);
+  });
+}
+
+//===-- Random numbers
+//--------------------------------------------------------------------------===//
+
+TEST_CASE("random numbers depend on the point's seed and on how many it has drawn") {
+  Batch batch;
+  auto draw = [&](uint32_t point) {
+    std::vector<Real> numbers;
+    batch.shade(point, [&](anysl_context *context) {
+      for (int i = 0; i < 4; ++i) {
+        Real x;
+        use<anysl_random_float>()(&x, context);
+        numbers.push_back(x);
+      }
+      anysl_color color;
+      use<anysl_random_color>()(&color, context);
+      anysl_vector vector;
+      use<anysl_random_vector>()(&vector, context);
+      for (Real x : {color.r, color.g, color.b, vector.x, vector.y, vector.z})
+        numbers.push_back(x);
+    });
+    return numbers;
+  };
+  std::vector<Real> first = draw(0), second = draw(1);
+  CHECK(first == draw(0));
+  CHECK(first != second);
+  for (size_t i = 0; i < first.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      CHECK(first[i] != first[j]);
+  uint32_t seeds[Batch::count] = {1};
+  batch.args.seeds = seeds;
+  CHECK(draw(0) == second);
+}
+
+TEST_CASE("random numbers are even over the points of a batch and over a point's sequence") {
+  Batch batch;
+  const int points = 4000, draws = 10;
+  double sum = 0, square = 0, neighbours = 0, successive = 0;
+  for (int p = 0; p < points; ++p) {
+    uint32_t seed = uint32_t(p), next = seed + 1;
+    double values[2][draws];
+    for (int k = 0; k < 2; ++k) {
+      batch.args.seeds = k == 0 ? &seed : &next;
+      batch.shade(0, [&](anysl_context *context) {
+        for (double &value : values[k]) {
+          Real x;
+          use<anysl_random_float>()(&x, context);
+          value = x;
+        }
+      });
+    }
+    for (int i = 0; i < draws; ++i) {
+      double x = values[0][i];
+      REQUIRE((x >= 0 && x < 1));
+      sum += x, square += x * x;
+      neighbours += (x - 0.5) * (values[1][i] - 0.5);
+      if (i)
+        successive += (x - 0.5) * (values[0][i - 1] - 0.5);
+    }
+  }
+  const double n = points * draws;
+  CHECK(sum / n == Approx(0.5).margin(0.005));
+  CHECK(square / n == Approx(1.0 / 3).margin(0.005));
+  CHECK(std::abs(neighbours / n) < 0.002);
+  CHECK(std::abs(successive / n) < 0.002);
+}
+
+//===-- Lights
+//----------------------------------------------------------------------------------===//
+
+namespace {
+
+struct Sample {
+  bool reaches;
+  anysl_vector L;
+  anysl_color Cl;
+};
+
+Sample sample(Batch &batch, const AnyslLight &light, const anysl_vector &P) {
+  Sample result;
+  batch.args.lights = &light;
+  batch.args.light_count = 1;
+  batch.shade(2, [&](anysl_context *context) {
+    CHECK(use<anysl_light_count>()(context) == 1);
+    result.reaches = use<anysl_light_sample>()(context, 0, &P, &result.L, &result.Cl);
+  });
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("ambient light comes with the batch") {
+  Batch batch;
+  batch.args.ambient[0] = 0.5f, batch.args.ambient[1] = 0.25f, batch.args.ambient[2] = 1;
+  batch.shade(0, [&](anysl_context *context) {
+    anysl_color color;
+    use<anysl_ambient>()(&color, context);
+    checkColor(color, 0.5, 0.25, 1);
+  });
+}
+
+TEST_CASE("a distant light is the same everywhere") {
+  Batch batch;
+  AnyslLight light = {};
+  light.kind = ANYSL_LIGHT_DISTANT;
+  light.color[0] = 1, light.color[1] = 0.5f, light.color[2] = 2;
+  light.direction[2] = -1;
+  for (Real x : {Real(0), Real(1e6)}) {
+    Sample s = sample(batch, light, {x, x, x});
+    CHECK(s.reaches);
+    checkVector(s.L, 0, 0, 1);
+    checkColor(s.Cl, 1, 0.5, 2);
+  }
+}
+
+TEST_CASE("a point light fades with the square of the distance") {
+  Batch batch;
+  AnyslLight light = {};
+  light.kind = ANYSL_LIGHT_POINT;
+  light.color[0] = 36;
+  light.from[0] = 1, light.from[1] = 2, light.from[2] = 3;
+  Sample s = sample(batch, light, {1, 2, -3});
+  CHECK(s.reaches);
+  checkVector(s.L, 0, 0, 6);
+  checkColor(s.Cl, 1, 0, 0);
+  // In the light itself there is no direction and no light, rather than infinity.
+  checkColor(sample(batch, light, {1, 2, 3}).Cl, 0, 0, 0);
+}
+
+TEST_CASE("a spotlight fades with distance, across its edge and with its beam") {
+  Batch batch;
+  AnyslLight light = {};
+  light.kind = ANYSL_LIGHT_SPOT;
+  light.color[1] = 1;
+  light.from[2] = 2;
+  light.direction[2] = -1;
+  light.cos_outer = 0.5f, light.cos_inner = 0.75f, light.beam = 3;
+  checkColor(sample(batch, light, {0, 0, 0}).Cl, 0, 0.25, 0);
+  auto atCosine = [&](double cosine, bool reaches, double expected) {
+    INFO("cosine " << cosine);
+    double distance = 2 / cosine, x = std::sqrt(distance * distance - 4);
+    Sample s = sample(batch, light, {Real(x), 0, 0});
+    CHECK(s.reaches == reaches);
+    CHECK(s.Cl.g == near(expected / (distance * distance), 64));
+  };
+  atCosine(0.9, true, 0.9 * 0.9 * 0.9);
+  atCosine(0.625, true, 0.5 * 0.625 * 0.625 * 0.625);
+  atCosine(0.49, false, 0);
+  CHECK_FALSE(sample(batch, light, {0, 0, 5}).reaches);
+}
+
+TEST_CASE("flags of a light leave it out of diffuse or specular") {
+  Batch batch;
+  AnyslLight lights[3] = {};
+  lights[1].flags = ANYSL_LIGHT_NONDIFFUSE, lights[2].flags = ANYSL_LIGHT_NONSPECULAR;
+  batch.args.lights = lights, batch.args.light_count = 3;
+  batch.shade(0, [&](anysl_context *context) {
+    for (int i = 0; i < 3; ++i) {
+      CHECK(use<anysl_light_is_nondiffuse>()(context, i) == (i == 1));
+      CHECK(use<anysl_light_is_nonspecular>()(context, i) == (i == 2));
+    }
+  });
+}
+
+TEST_CASE("only a light that casts shadows asks for transmission, and only where it reaches") {
+  static int asked;
+  static double from[3], to[3];
+  asked = 0;
+  Batch batch;
+  batch.services.transmission = [](void *renderer, const AnyslShadeArgs *args, uint32_t point,
+                                   const double f[3], const double t[3], double color[3]) {
+    ++asked;
+    CHECK(renderer == args->renderer);
+    CHECK(point == 2);
+    std::memcpy(from, f, sizeof from);
+    std::memcpy(to, t, sizeof to);
+    color[0] = 0.5, color[1] = 0.25, color[2] = 0;
+  };
+  AnyslLight light = {};
+  light.kind = ANYSL_LIGHT_SPOT;
+  light.color[0] = light.color[1] = light.color[2] = 4;
+  light.from[2] = 2;
+  light.direction[2] = -1;
+  light.cos_outer = 0.5f, light.cos_inner = 0.75f;
+  checkColor(sample(batch, light, {0, 0, 0}).Cl, 1, 1, 1);
+  CHECK(asked == 0);
+  light.flags = ANYSL_LIGHT_CASTS_SHADOW;
+  checkColor(sample(batch, light, {0, 0, 0}).Cl, 0.5, 0.25, 0);
+  CHECK(asked == 1);
+  CHECK((from[2] == 0 && to[2] == 2));
+  sample(batch, light, {0, 0, 5});
+  CHECK(asked == 1);
+  // A distant light's ray ends far away, in the light's direction.
+  light.kind = ANYSL_LIGHT_DISTANT;
+  sample(batch, light, {1, 2, 3});
+  CHECK(asked == 2);
+  CHECK((to[2] - from[2] > 1e10 && to[0] == from[0] && to[1] == from[1]));
+}
+
+//===-- Services
+//--------------------------------------------------------------------------------===//
+
+TEST_CASE("services that the renderer does not offer give neutral values") {
+  Batch batch;
+  batch.shade(0, [&](anysl_context *context) {
+    anysl_vector P(1, 2, 3), R(0, 0, 1);
+    anysl_color color;
+    use<anysl_trace_color>()(&color, context, &P, &R);
+    checkColor(color, 0, 0, 0);
+    use<anysl_transmission>()(&color, context, &P, &R);
+    checkColor(color, 1, 1, 1);
+    Real distance;
+    use<anysl_trace_float>()(&distance, context, &P, &R);
+    CHECK(distance == Real(1e30));
+    anysl_matrix matrix;
+    anysl_string a = "current", b = "world";
+    use<anysl_space_matrix>()(&matrix, context, &a, &b);
+    checkMatrix(matrix, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}});
+  });
+}
+
+TEST_CASE("services get the point, the position and the direction") {
+  Batch batch;
+  batch.services.trace = [](void *, const AnyslShadeArgs *, uint32_t point, const double P[3],
+                            const double R[3], double color[3]) {
+    color[0] = point, color[1] = P[0] + 10 * P[1] + 100 * P[2],
+    color[2] = R[0] + 10 * R[1] + 100 * R[2];
+  };
+  batch.services.trace_distance = [](void *, const AnyslShadeArgs *, uint32_t point,
+                                     const double P[3],
+                                     const double R[3]) { return point + P[1] + R[2]; };
+  batch.services.space_matrix = [](void *, const AnyslShadeArgs *, const char *from, const char *to,
+                                   double matrix[16]) {
+    if (std::string(from) != "current" || std::string(to) != "world")
+      return 0;
+    for (int k = 0; k < 16; ++k)
+      matrix[k] = k;
+    return 1;
+  };
+  batch.shade(7, [&](anysl_context *context) {
+    anysl_vector P(1, 2, 3), R(4, 5, 6);
+    anysl_color color;
+    use<anysl_trace_color>()(&color, context, &P, &R);
+    checkColor(color, 7, 321, 654);
+    Real distance;
+    use<anysl_trace_float>()(&distance, context, &P, &R);
+    CHECK(distance == 15);
+    anysl_matrix matrix;
+    anysl_string a = "current", b = "world", c = "nowhere";
+    use<anysl_space_matrix>()(&matrix, context, &a, &b);
+    checkMatrix(matrix, {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10, 11}, {12, 13, 14, 15}});
+    use<anysl_space_matrix>()(&matrix, context, &a, &c);
+    checkMatrix(matrix, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}});
+  });
+}
+
+TEST_CASE("the layout is the one that the runtime reads") {
+#ifdef ANYSL_TEST_AOS
+  CHECK(anysl_runtime_layout == ANYSL_LAYOUT_AOS);
+#else
+  CHECK(anysl_runtime_layout == ANYSL_LAYOUT_SOA);
+#endif
+}
