@@ -1,0 +1,173 @@
+//===-- passes/Vectorize/Normalize.cpp - bring control flow into the form to widen ------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "passes/Vectorize/Normalize.h"
+
+#include "passes/Vectorize/VectorAbi.h"
+
+#include "llvm/Analysis/CFG.h"
+#include "llvm/Analysis/LoopInfo.h"
+#include "llvm/Analysis/TargetTransformInfo.h"
+#include "llvm/IR/InstIterator.h"
+#include "llvm/IR/IntrinsicInst.h"
+#include "llvm/Transforms/InstCombine/InstCombine.h"
+#include "llvm/Transforms/Scalar/DCE.h"
+#include "llvm/Transforms/Scalar/EarlyCSE.h"
+#include "llvm/Transforms/Scalar/SROA.h"
+#include "llvm/Transforms/Scalar/Scalarizer.h"
+#include "llvm/Transforms/Scalar/SimplifyCFG.h"
+#include "llvm/Transforms/Utils/FixIrreducible.h"
+#include "llvm/Transforms/Utils/LCSSA.h"
+#include "llvm/Transforms/Utils/Local.h"
+#include "llvm/Transforms/Utils/LoopSimplify.h"
+#include "llvm/Transforms/Utils/LowerMemIntrinsics.h"
+#include "llvm/Transforms/Utils/LowerSwitch.h"
+#include "llvm/Transforms/Utils/UnifyFunctionExitNodes.h"
+
+using namespace llvm;
+
+namespace anysl {
+
+std::string whyNotWidenable(const Function &function) {
+  if (function.isVarArg())
+    return "it takes a variable number of arguments";
+  if (function.hasFnAttribute(Attribute::PresplitCoroutine))
+    return "it is a coroutine";
+  if (function.hasFnAttribute(Attribute::Naked))
+    return "it is naked assembly";
+  for (const Instruction &instruction : instructions(function)) {
+    if (isa<IndirectBrInst>(instruction) || isa<CallBrInst>(instruction))
+      return "it jumps to computed addresses";
+    if (instruction.isEHPad() || isa<InvokeInst>(instruction) || isa<ResumeInst>(instruction))
+      return "it handles exceptions";
+    if (instruction.getType()->isTokenTy() || instruction.getType()->isX86_AMXTy() ||
+        isa<ScalableVectorType>(instruction.getType()) || isa<TargetExtType>(instruction.getType()))
+      return "it has values that have no wide form";
+    if (const auto *call = dyn_cast<CallInst>(&instruction)) {
+      if (call->isMustTailCall())
+        return "it has a call that must be a tail call";
+      if (call->getIntrinsicID() == Intrinsic::localescape)
+        return "it lets other functions into its frame";
+    }
+  }
+  return {};
+}
+
+static bool usesVectors(const Function &function) {
+  for (const Instruction &instruction : instructions(function)) {
+    if (instruction.getType()->isVectorTy())
+      return true;
+    for (const Value *operand : instruction.operand_values())
+      if (operand->getType()->isVectorTy())
+        return true;
+  }
+  return false;
+}
+
+/// A copy of memory becomes a loop: in it, each lane's own addresses are ordinary loads and stores.
+static bool expandMemoryIntrinsics(Function &function, const TargetTransformInfo &costs) {
+  SmallVector<MemIntrinsic *, 8> calls;
+  for (Instruction &instruction : instructions(function))
+    if (auto *call = dyn_cast<MemIntrinsic>(&instruction))
+      calls.push_back(call);
+  bool changed = false;
+  for (MemIntrinsic *call : calls) {
+    if (call->isVolatile())
+      continue; // runs as it is, lane by lane
+    if (auto *set = dyn_cast<MemSetInst>(call))
+      expandMemSetAsLoop(set);
+    else if (auto *move = dyn_cast<MemMoveInst>(call)) {
+      if (!expandMemMoveAsLoop(move, costs))
+        continue;
+    } else {
+      expandMemCpyAsLoop(cast<MemCpyInst>(call), costs);
+    }
+    call->eraseFromParent();
+    changed = true;
+  }
+  return changed;
+}
+
+/// A branch whose two sides are one block is no branch; a later stage may then tell edges apart by
+/// their ends.
+static void foldTrivialBranches(Function &function) {
+  for (BasicBlock &block : function) {
+    auto *branch = dyn_cast<BranchInst>(block.getTerminator());
+    if (!branch || !branch->isConditional() || branch->getSuccessor(0) != branch->getSuccessor(1))
+      continue;
+    BasicBlock *target = branch->getSuccessor(0);
+    for (PHINode &phi : make_early_inc_range(target->phis())) {
+      // Two entries for one edge hold one value.
+      phi.removeIncomingValue(phi.getBasicBlockIndex(&block), false);
+    }
+    IRBuilder<>(branch).CreateBr(target);
+    branch->eraseFromParent();
+  }
+}
+
+void normalize(Function &function, FunctionAnalysisManager &analyses) {
+  function.removeFnAttr(Attribute::OptimizeNone);
+  FunctionPassManager simplify;
+  simplify.addPass(SROAPass(SROAOptions::ModifyCFG));
+  simplify.addPass(EarlyCSEPass(true));
+  simplify.addPass(InstCombinePass());
+  simplify.addPass(SimplifyCFGPass());
+  auto run = [&](FunctionPassManager &passes) {
+    PreservedAnalyses preserved = passes.run(function, analyses);
+    analyses.invalidate(function, preserved);
+  };
+  run(simplify);
+
+  bool again = false;
+  if (usesVectors(function)) {
+    FunctionPassManager scalarize;
+    ScalarizerPassOptions options;
+    options.ScalarizeLoadStore = true;
+    options.ScalarizeVariableInsertExtract = true;
+    scalarize.addPass(ScalarizerPass(options));
+    scalarize.addPass(DCEPass());
+    run(scalarize);
+    again = true;
+  }
+  if (expandMemoryIntrinsics(function, analyses.getResult<TargetIRAnalysis>(function))) {
+    analyses.invalidate(function, PreservedAnalyses::none());
+    again = true;
+  }
+  if (again) {
+    FunctionPassManager tidy;
+    tidy.addPass(SROAPass(SROAOptions::ModifyCFG));
+    tidy.addPass(EarlyCSEPass(true));
+    tidy.addPass(SimplifyCFGPass());
+    run(tidy);
+  }
+
+  removeUnreachableBlocks(function);
+  analyses.invalidate(function, PreservedAnalyses::none());
+  FunctionPassManager shape;
+  shape.addPass(LowerSwitchPass());
+  run(shape);
+  foldTrivialBranches(function);
+  analyses.invalidate(function, PreservedAnalyses::none());
+  FunctionPassManager loops;
+  loops.addPass(UnifyFunctionExitNodesPass());
+  loops.addPass(FixIrreduciblePass());
+  loops.addPass(LoopSimplifyPass());
+  loops.addPass(LCSSAPass());
+  run(loops);
+  foldTrivialBranches(function);
+  analyses.invalidate(function, PreservedAnalyses::none());
+}
+
+PreservedAnalyses NormalizePass::run(Function &function, FunctionAnalysisManager &analyses) {
+  if (function.isDeclaration() || variantNames(function.getAttributes()).empty() ||
+      !whyNotWidenable(function).empty())
+    return PreservedAnalyses::all();
+  normalize(function, analyses);
+  return PreservedAnalyses::none();
+}
+
+} // namespace anysl

@@ -1,0 +1,310 @@
+//===-- passes/Vectorize/WidenCalls.cpp - widen calls -----------------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "passes/Vectorize/Widener.h"
+
+#include "llvm/Analysis/ValueTracking.h"
+#include "llvm/Analysis/VectorUtils.h"
+#include "llvm/IR/IntrinsicInst.h"
+#include "llvm/IR/Module.h"
+
+using namespace llvm;
+
+namespace anysl {
+
+void Widener::widenCall(CallInst &call) {
+  if (auto *intrinsic = dyn_cast<IntrinsicInst>(&call))
+    if (widenIntrinsic(*intrinsic))
+      return;
+  if (shapeOf(&call).isUniform())
+    return copyScalar(call);
+  if (callVariant(call))
+    return;
+  Function *callee = call.getCalledFunction();
+  if (!isSafeToSpeculativelyExecute(&call))
+    remark(VectorizeRemark::Kind::LaneByLane, call,
+           Twine("calls ") + (callee ? callee->getName() : StringRef("through a pointer")) +
+               " once per active lane, as it has no vector variant for " + Twine(width) + " lanes");
+  replicate(call);
+}
+
+//===-- Intrinsics ----------------------------------------------------------===//
+
+/// Intrinsics besides LLVM's list of trivially vectorisable ones that take vectors lane by lane.
+static bool worksOnLanes(Intrinsic::ID id) {
+  if (isTriviallyVectorizable(id))
+    return true;
+  switch (id) {
+  case Intrinsic::sadd_with_overflow:
+  case Intrinsic::uadd_with_overflow:
+  case Intrinsic::ssub_with_overflow:
+  case Intrinsic::usub_with_overflow:
+  case Intrinsic::smul_with_overflow:
+  case Intrinsic::umul_with_overflow:
+  case Intrinsic::ldexp:
+  case Intrinsic::is_fpclass:
+    return true;
+  default:
+    return false;
+  }
+}
+
+bool Widener::widenIntrinsic(IntrinsicInst &call) {
+  Intrinsic::ID id = call.getIntrinsicID();
+  switch (id) {
+  // Hints about the scalar code, which would not hold for idle lanes or say nothing of vectors.
+  case Intrinsic::assume:
+  case Intrinsic::lifetime_start:
+  case Intrinsic::lifetime_end:
+  case Intrinsic::invariant_end:
+  case Intrinsic::experimental_noalias_scope_decl:
+  case Intrinsic::sideeffect:
+  case Intrinsic::pseudoprobe:
+  case Intrinsic::prefetch:
+  case Intrinsic::donothing:
+  case Intrinsic::var_annotation:
+    return true;
+  case Intrinsic::invariant_start:
+    define(call, PoisonValue::get(call.getType()));
+    return true;
+  case Intrinsic::stacksave:
+    // One stack for all lanes, however the result is declared to vary.
+    define(call, broadcast(builder.CreateStackSave()));
+    return true;
+  case Intrinsic::stackrestore:
+    builder.CreateStackRestore(builder.CreateExtractElement(vector(call.getArgOperand(0)),
+                                                            uint64_t(0)));
+    return true;
+  default:
+    break;
+  }
+  if (isa<DbgInfoIntrinsic>(call))
+    return true;
+  if (shapeOf(&call).isUniform())
+    return false;
+  switch (id) {
+  case Intrinsic::expect:
+  case Intrinsic::expect_with_probability:
+  case Intrinsic::ssa_copy:
+  case Intrinsic::annotation:
+  case Intrinsic::ptr_annotation:
+  case Intrinsic::launder_invariant_group:
+  case Intrinsic::strip_invariant_group:
+  case Intrinsic::arithmetic_fence:
+    define(call, vector(call.getArgOperand(0)));
+    return true;
+  default:
+    break;
+  }
+
+  if (!worksOnLanes(id) || call.getType()->isVectorTy())
+    return false;
+  SmallVector<Value *, 4> arguments;
+  SmallVector<Type *, 4> overloads;
+  Type *result = wide(call.getType());
+  // Which types the intrinsic's name carries follows from its declaration.
+  SmallVector<Intrinsic::IITDescriptor, 8> table;
+  Intrinsic::getIntrinsicInfoTableEntries(id, table);
+  for (auto [i, argument] : enumerate(call.args())) {
+    Value *operand = argument.get();
+    bool scalarOperand = isVectorIntrinsicWithScalarOpAtArg(id, i) ||
+                         call.paramHasAttr(i, Attribute::ImmArg);
+    if (scalarOperand && !isa<Constant>(operand) && !shapeOf(operand).isUniform())
+      return false;
+    arguments.push_back(scalarOperand ? base(operand) : vector(operand));
+  }
+  SmallVector<Type *, 4> types;
+  for (Value *argument : arguments)
+    types.push_back(argument->getType());
+  FunctionType *functionType = FunctionType::get(result, types, false);
+  SmallVector<Type *, 4> overloaded;
+  ArrayRef<Intrinsic::IITDescriptor> rest = table;
+  if (Intrinsic::matchIntrinsicSignature(functionType, rest, overloaded) !=
+      Intrinsic::MatchIntrinsicTypes_Match)
+    return false;
+  Function *declaration = Intrinsic::getDeclaration(scalar.getParent(), id, overloaded);
+  CallInst *wideCall = builder.CreateCall(declaration, arguments);
+  copyFlags(wideCall, call);
+  define(call, wideCall);
+  return true;
+}
+
+//===-- Variants ------------------------------------------------------------===//
+
+/// How well an instruction set fits a caller of another: the same, then LLVM's own, then smaller ones.
+static int preference(Isa callee, Isa caller) {
+  if (callee == caller)
+    return 8;
+  if (callee == Isa::Llvm)
+    return 7;
+  if (caller == Isa::Llvm)
+    return int(callee); // features are the function's; the richest comes first
+  return callee < caller ? int(callee) : -1;
+}
+
+static bool hasFeatures(const Function &caller, Isa isa) {
+  StringRef features = caller.getFnAttribute("target-features").getValueAsString();
+  SmallVector<StringRef, 64> list;
+  features.split(list, ',');
+  auto has = [&](StringRef feature) { return is_contained(list, feature); };
+  switch (isa) {
+  case Isa::Sse:
+  case Isa::Llvm:
+    return true;
+  case Isa::Avx:
+    return has("+avx") || has("+avx2") || has("+avx512f");
+  case Isa::Avx2:
+    return has("+avx2") || has("+avx512f");
+  case Isa::Avx512:
+    return has("+avx512f");
+  }
+  return false;
+}
+
+bool Widener::argumentsFit(CallInst &call, const VariantName &variant) {
+  if (variant.params.size() != call.arg_size())
+    return false;
+  for (auto [param, operand] : zip(variant.params, call.args())) {
+    Shape shape = shapeOf(operand);
+    switch (param.kind) {
+    case VariantParam::Kind::Vector:
+      break;
+    case VariantParam::Kind::Uniform:
+      if (!shape.isUniform())
+        return false;
+      break;
+    case VariantParam::Kind::Linear:
+      if (!shape.isStrided() || shape.stride() != param.step)
+        return false;
+      break;
+    case VariantParam::Kind::LinearByParam: {
+      auto *step = dyn_cast<ConstantInt>(call.getArgOperand(param.step));
+      if (!step || !shape.isStrided() || shape.stride() != step->getSExtValue())
+        return false;
+      break;
+    }
+    }
+  }
+  return true;
+}
+
+bool Widener::tryVariant(CallInst &call, const VariantName &variant, Function &callee) {
+  std::string why;
+  auto form = VariantSignature::getFor(variant, call.getFunctionType(), callee, why);
+  if (!form) {
+    remark(VectorizeRemark::Kind::LaneByLane, call, why);
+    return false;
+  }
+  SmallVector<Value *, 8> arguments;
+  for (auto [param, operand] : zip(variant.params, call.args()))
+    arguments.push_back(param.kind == VariantParam::Kind::Vector ? vector(operand) : base(operand));
+  if (variant.masked)
+    arguments.push_back(currentMask());
+
+  // Without a test a variant would run for nobody; one that cannot tell must not.
+  BasicBlock *before = builder.GetInsertBlock(), *after = nullptr;
+  if (!isOccupied()) {
+    BasicBlock *inner = BasicBlock::Create(context, "call", &widened, before->getNextNode());
+    after = BasicBlock::Create(context, "called", &widened, inner->getNextNode());
+    builder.CreateCondBr(anyLane(currentMask()), inner, after);
+    builder.SetInsertPoint(inner);
+  }
+  Value *result;
+  CallInst *made = form->call(builder, &callee, arguments, result);
+  made->setDebugLoc(call.getDebugLoc());
+  if (call.doesNotThrow())
+    made->setDoesNotThrow();
+  if (after) {
+    BasicBlock *end = builder.GetInsertBlock();
+    builder.CreateBr(after);
+    builder.SetInsertPoint(after);
+    if (result) {
+      PHINode *joined = builder.CreatePHI(result->getType(), 2);
+      joined->addIncoming(PoisonValue::get(result->getType()), before);
+      joined->addIncoming(result, end);
+      result = joined;
+    }
+  }
+  if (result)
+    define(call, result);
+  return true;
+}
+
+/// Calls the best variant there is: one that the module or the callee's declaration names, else one
+/// made from its body.
+bool Widener::callVariant(CallInst &call) {
+  Function *callee = call.getCalledFunction();
+  if (!callee || callee->isIntrinsic() || call.hasOperandBundles() ||
+      callee->getFunctionType() != call.getFunctionType())
+    return false;
+
+  struct Choice {
+    VariantName name;
+    int score;
+  };
+  SmallVector<Choice, 4> choices;
+  auto consider = [&](const VariantName &variant) {
+    if (variant.width != width || !argumentsFit(call, variant) || (!variant.masked && !isFull()))
+      return;
+    int score = preference(variant.isa, name.isa);
+    if (score < 0 || (name.isa == Isa::Llvm && !hasFeatures(widened, variant.isa)))
+      return;
+    // What is asked for besides the instruction set: no needless mask, few vectors.
+    score = score * 64 + (isFull() != variant.masked ? 32 : 0);
+    for (const VariantParam &param : variant.params)
+      score += param.kind != VariantParam::Kind::Vector;
+    choices.push_back({variant, score});
+  };
+  for (const VariantName &variant : variantNames(call.getAttributes()))
+    consider(variant);
+  for (const VariantName &variant : variantNames(callee->getAttributes()))
+    consider(variant);
+  llvm::sort(choices, [](const Choice &a, const Choice &b) { return a.score > b.score; });
+
+  Module &module = *scalar.getParent();
+  for (const Choice &choice : choices) {
+    Function *variant = module.getFunction(choice.name.functionName);
+    if (!variant) {
+      // Somebody else's: it is declared as the ABI says. LLVM's own names have no such promise, but
+      // where the callee is defined here, its variants will be, too.
+      std::string why;
+      auto form = VariantSignature::get(choice.name, callee->getFunctionType(), layout, why);
+      if (!form || (choice.name.isa == Isa::Llvm && callee->isDeclaration()))
+        continue;
+      variant = Function::Create(form->type(), GlobalValue::ExternalLinkage,
+                                 choice.name.functionName, module);
+      form->addAttributes(*variant);
+    }
+    if (tryVariant(call, choice.name, *variant))
+      return true;
+  }
+
+  if (callee->isDeclaration() || callee->isInterposable())
+    return false;
+  VariantProvider::Request request{callee, {}, !isFull(), width, name.isa, &widened};
+  for (auto [i, operand] : enumerate(call.args())) {
+    Shape shape = shapeOf(operand);
+    VariantParam param;
+    Type *type = operand->getType();
+    if (shape.isUniform()) {
+      param.kind = VariantParam::Kind::Uniform;
+    } else if (shape.isStrided() && (type->isPointerTy() || (shape.noSignedWrap() && shape.noUnsignedWrap()))) {
+      param.kind = VariantParam::Kind::Linear;
+      param.step = shape.stride();
+    }
+    // Memory that is passed by value, or returned into, is an address like any other to lanes; only
+    // what the caller would have to copy is not.
+    if (call.paramHasAttr(i, Attribute::ByVal) && param.kind != VariantParam::Kind::Uniform)
+      return false;
+    request.params.push_back(param);
+  }
+  VariantName made;
+  Function *variant = provider.request(request, made);
+  return variant && tryVariant(call, made, *variant);
+}
+
+} // namespace anysl
