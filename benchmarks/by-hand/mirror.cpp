@@ -18,4 +18,4 @@ void anysl_shader_body(anysl_context *context) {
 }
 
 static const double *const none = nullptr;
-BY_HAND_LIBRARY("mirror", nullptr, 0, none, 0u)
+BY_HAND_LIBRARY("mirror", nullptr, 0, none, 0u);
