@@ -1,0 +1,379 @@
+//===-- frontends/rsl/Ast.h - a shader as a tree ------------------------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+//
+// The parser makes the tree; Sema gives names their declarations, expressions their types, and makes
+// implicit conversions explicit; lowering reads it. Nodes live in an Ast's arena, are never freed one by
+// one, and hold nothing that would need a destructor. llvm::isa, cast and dyn_cast work on them.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_FRONTENDS_RSL_AST_H
+#define ANYSL_FRONTENDS_RSL_AST_H
+
+#include "frontends/rsl/Type.h"
+#include "llvm/ADT/ArrayRef.h"
+#include "llvm/ADT/StringRef.h"
+#include "llvm/Support/Allocator.h"
+#include "llvm/Support/Casting.h"
+#include "llvm/Support/SMLoc.h"
+#include "llvm/Support/StringSaver.h"
+
+namespace anysl::rsl {
+
+struct Builtin;
+struct FunctionDecl;
+struct VarDecl;
+using llvm::ArrayRef;
+using llvm::SMLoc;
+using llvm::SMRange;
+using llvm::StringRef;
+
+//===-- Expressions -----------------------------------------------------------------------------//
+
+enum class ExprKind : uint8_t {
+  Number, String, Name, Index, Negate, Not, Binary, Conditional, Assign, Tuple, Cast, Call, List, Comma,
+  Opaque
+};
+
+struct Expr {
+  const ExprKind kind;
+  bool hasEffects = false;  ///< assigns something, in itself or below
+  bool isProbed = false;    ///< `probed` is valid
+  SMLoc loc;                ///< what a message about it points at
+  SMRange range;            ///< all of its text
+  Type type;                ///< set by Sema
+  Type probed;              ///< Sema's guess before the context is known; Error: depends on it
+  unsigned depth = 1;       ///< of the tree below, itself included
+
+protected:
+  Expr(ExprKind kind, SMLoc loc, SMRange range) : kind(kind), loc(loc), range(range) {}
+};
+
+struct NumberExpr : Expr {
+  double value;
+  NumberExpr(SMRange range, double value)
+      : Expr(ExprKind::Number, range.Start, range), value(value) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Number; }
+};
+
+struct StringExpr : Expr {
+  StringRef value;
+  StringExpr(SMRange range, StringRef value)
+      : Expr(ExprKind::String, range.Start, range), value(value) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::String; }
+};
+
+struct NameExpr : Expr {
+  StringRef name;
+  VarDecl *decl = nullptr;
+  NameExpr(SMRange range, StringRef name) : Expr(ExprKind::Name, range.Start, range), name(name) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Name; }
+};
+
+/// An array's element, or a component of a triple.
+struct IndexExpr : Expr {
+  Expr *base;
+  Expr *index;
+  IndexExpr(SMLoc loc, SMRange range, Expr *base, Expr *index)
+      : Expr(ExprKind::Index, loc, range), base(base), index(index) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Index; }
+};
+
+struct NegateExpr : Expr {
+  Expr *operand;
+  NegateExpr(SMLoc loc, SMRange range, Expr *operand)
+      : Expr(ExprKind::Negate, loc, range), operand(operand) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Negate; }
+};
+
+struct NotExpr : Expr {
+  Expr *operand;
+  NotExpr(SMLoc loc, SMRange range, Expr *operand)
+      : Expr(ExprKind::Not, loc, range), operand(operand) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Not; }
+};
+
+enum class BinaryOp : uint8_t {
+  Add, Subtract, Multiply, Divide, Dot, Cross, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual,
+  And, Or
+};
+StringRef spelling(BinaryOp op);
+inline bool isComparison(BinaryOp op) { return op >= BinaryOp::Less && op <= BinaryOp::NotEqual; }
+inline bool isLogical(BinaryOp op) { return op == BinaryOp::And || op == BinaryOp::Or; }
+
+struct BinaryExpr : Expr {
+  BinaryOp op;
+  Expr *left;
+  Expr *right;
+  BinaryExpr(SMLoc loc, SMRange range, BinaryOp op, Expr *left, Expr *right)
+      : Expr(ExprKind::Binary, loc, range), op(op), left(left), right(right) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Binary; }
+};
+
+struct ConditionalExpr : Expr {
+  Expr *condition;
+  Expr *whenTrue;
+  Expr *whenFalse;
+  ConditionalExpr(SMLoc loc, SMRange range, Expr *condition, Expr *whenTrue, Expr *whenFalse)
+      : Expr(ExprKind::Conditional, loc, range), condition(condition), whenTrue(whenTrue),
+        whenFalse(whenFalse) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Conditional; }
+};
+
+/// A value that is computed elsewhere: the old value of a compound assignment's target.
+struct OpaqueExpr : Expr {
+  explicit OpaqueExpr(const Expr *of) : Expr(ExprKind::Opaque, of->loc, of->range) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Opaque; }
+};
+
+struct AssignExpr : Expr {
+  Expr *target;
+  Expr *value; ///< for a compound assignment, from Sema on: the operation on `old`
+  bool isCompound;
+  BinaryOp op = BinaryOp::Add;
+  OpaqueExpr *old = nullptr;
+  AssignExpr(SMLoc loc, SMRange range, Expr *target, Expr *value)
+      : Expr(ExprKind::Assign, loc, range), target(target), value(value), isCompound(false) {}
+  AssignExpr(SMLoc loc, SMRange range, BinaryOp op, Expr *target, Expr *value)
+      : Expr(ExprKind::Assign, loc, range), target(target), value(value), isCompound(true), op(op) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Assign; }
+};
+
+/// (a, b, c) or 16 values.
+struct TupleExpr : Expr {
+  ArrayRef<Expr *> elements;
+  TupleExpr(SMRange range, ArrayRef<Expr *> elements)
+      : Expr(ExprKind::Tuple, range.Start, range), elements(elements) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Tuple; }
+};
+
+/// `type expr`, `type "space" expr`, or a conversion that Sema has put in.
+struct CastExpr : Expr {
+  TypeKind to;
+  Expr *space; ///< null: none
+  Expr *operand;
+  bool isImplicit = false;
+  CastExpr(SMLoc loc, SMRange range, TypeKind to, Expr *space, Expr *operand)
+      : Expr(ExprKind::Cast, loc, range), to(to), space(space), operand(operand) {}
+  CastExpr(Type type, Expr *operand)
+      : Expr(ExprKind::Cast, operand->loc, operand->range), to(type.kind), space(nullptr),
+        operand(operand), isImplicit(true) {
+    this->type = type;
+    hasEffects = operand->hasEffects;
+  }
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Cast; }
+};
+
+struct CallExpr : Expr {
+  StringRef name;
+  SMRange nameRange;
+  llvm::MutableArrayRef<Expr *> args;
+  FunctionDecl *function = nullptr; ///< one of these, from Sema on
+  const Builtin *builtin = nullptr;
+  CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
+      : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Call; }
+};
+
+/// {a, b, …}, the value of an array.
+struct ListExpr : Expr {
+  llvm::MutableArrayRef<Expr *> elements;
+  ListExpr(SMRange range, llvm::MutableArrayRef<Expr *> elements)
+      : Expr(ExprKind::List, range.Start, range), elements(elements) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::List; }
+};
+
+/// a, b in the head of a for loop.
+struct CommaExpr : Expr {
+  llvm::MutableArrayRef<Expr *> elements;
+  CommaExpr(SMRange range, llvm::MutableArrayRef<Expr *> elements)
+      : Expr(ExprKind::Comma, range.Start, range), elements(elements) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Comma; }
+};
+
+//===-- Statements ------------------------------------------------------------------------------//
+
+enum class StmtKind : uint8_t {
+  Empty, Block, Declaration, Expression, If, While, For, Break, Continue, Return, Illuminance,
+  Illuminate, Solar, Function, Extern
+};
+
+struct Stmt {
+  const StmtKind kind;
+  SMLoc loc;
+  Stmt(StmtKind kind, SMLoc loc) : kind(kind), loc(loc) {}
+};
+
+struct BlockStmt : Stmt {
+  ArrayRef<Stmt *> body;
+  SMLoc end;
+  BlockStmt(SMLoc loc, SMLoc end, ArrayRef<Stmt *> body)
+      : Stmt(StmtKind::Block, loc), body(body), end(end) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Block; }
+};
+
+struct DeclarationStmt : Stmt {
+  ArrayRef<VarDecl *> variables;
+  DeclarationStmt(SMLoc loc, ArrayRef<VarDecl *> variables)
+      : Stmt(StmtKind::Declaration, loc), variables(variables) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Declaration; }
+};
+
+/// `extern type a, b;`: names of an enclosing scope; each VarDecl is what was written.
+struct ExternStmt : Stmt {
+  ArrayRef<VarDecl *> variables;
+  ExternStmt(SMLoc loc, ArrayRef<VarDecl *> variables)
+      : Stmt(StmtKind::Extern, loc), variables(variables) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Extern; }
+};
+
+struct ExpressionStmt : Stmt {
+  Expr *expr;
+  explicit ExpressionStmt(Expr *expr) : Stmt(StmtKind::Expression, expr->loc), expr(expr) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Expression; }
+};
+
+struct IfStmt : Stmt {
+  Expr *condition;
+  Stmt *thenBody;
+  Stmt *elseBody; ///< null: none
+  IfStmt(SMLoc loc, Expr *condition, Stmt *thenBody, Stmt *elseBody)
+      : Stmt(StmtKind::If, loc), condition(condition), thenBody(thenBody), elseBody(elseBody) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::If; }
+};
+
+/// while and for: `init` and `step` only in the last, `condition` null where left out.
+struct LoopStmt : Stmt {
+  Stmt *init = nullptr;
+  Expr *condition = nullptr;
+  Expr *step = nullptr;
+  Stmt *body = nullptr;
+  LoopStmt(StmtKind kind, SMLoc loc) : Stmt(kind, loc) {}
+  static bool classof(const Stmt *s) {
+    return s->kind == StmtKind::While || s->kind == StmtKind::For;
+  }
+};
+
+/// break and continue, out of `levels` loops.
+struct JumpStmt : Stmt {
+  Expr *count; ///< null: 1
+  unsigned levels = 1;
+  JumpStmt(StmtKind kind, SMLoc loc, Expr *count) : Stmt(kind, loc), count(count) {}
+  static bool classof(const Stmt *s) {
+    return s->kind == StmtKind::Break || s->kind == StmtKind::Continue;
+  }
+};
+
+struct ReturnStmt : Stmt {
+  Expr *value; ///< null: none
+  ReturnStmt(SMLoc loc, Expr *value) : Stmt(StmtKind::Return, loc), value(value) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Return; }
+};
+
+/// illuminance, illuminate and solar. Sema sorts the arguments into the named ones.
+struct LightStmt : Stmt {
+  llvm::MutableArrayRef<Expr *> args;
+  Stmt *body;
+  Expr *category = nullptr;
+  Expr *position = nullptr;
+  Expr *axis = nullptr;
+  Expr *angle = nullptr;
+  LightStmt(StmtKind kind, SMLoc loc, llvm::MutableArrayRef<Expr *> args, Stmt *body)
+      : Stmt(kind, loc), args(args), body(body) {}
+  static bool classof(const Stmt *s) {
+    return s->kind >= StmtKind::Illuminance && s->kind <= StmtKind::Solar;
+  }
+};
+
+struct FunctionStmt : Stmt {
+  FunctionDecl *function;
+  FunctionStmt(SMLoc loc, FunctionDecl *function)
+      : Stmt(StmtKind::Function, loc), function(function) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Function; }
+};
+
+/// Whether control never leaves a statement at its end.
+bool alwaysReturns(const Stmt *stmt);
+
+//===-- Declarations ----------------------------------------------------------------------------//
+
+enum class VarKind : uint8_t { Global, ShaderParam, FunctionParam, Local };
+
+struct VarDecl {
+  VarKind kind;
+  StringRef name;
+  SMRange range; ///< of the name; invalid for a global
+  Type type;     ///< the length of an array: see `length`
+  Expr *length = nullptr; ///< the expression in [], null if none
+  Expr *init = nullptr;
+  FunctionDecl *owner = nullptr; ///< the function whose parameter or local it is
+  unsigned id = 0;               ///< Global: as in Globals.def; ShaderParam: number from 0
+  bool isOutput = false;
+  bool hasStorage = false; ///< `uniform` or `varying` was written
+  bool isRead = false;
+  bool isAssigned = false;
+  bool isCopied = false;    ///< a function's parameter that its body assigns without `output`
+  bool defaultVaries = false; ///< ShaderParam whose default differs from point to point
+};
+
+struct FunctionDecl {
+  StringRef name;
+  SMRange range; ///< of the name
+  Type result;
+  bool resultHasStorage = false;
+  ArrayRef<VarDecl *> params;
+  BlockStmt *body = nullptr;
+  FunctionDecl *outer = nullptr;   ///< the function that it is nested in
+  const Builtin *defines = nullptr; ///< in a library: the built-in whose operator it is
+  bool isBeingChecked = false;
+  bool isVarying = false;   ///< gives varying values whatever its arguments are
+  bool usesOuter = false;   ///< names a variable that is not its own
+  bool isUsed = false;
+};
+
+enum class ShaderType : uint8_t { Surface = 1, Displacement, Light, Volume, Imager };
+StringRef nameOf(ShaderType type);
+
+struct ShaderDecl {
+  ShaderType type;
+  StringRef name;
+  SMRange range;
+  ArrayRef<VarDecl *> params;
+  BlockStmt *body = nullptr;
+};
+
+/// One file's declarations, and the memory of all its nodes.
+class Ast {
+public:
+  template <typename T, typename... Args> T *make(Args &&...args) {
+    static_assert(std::is_trivially_destructible_v<T>);
+    return new (arena.Allocate<T>()) T{std::forward<Args>(args)...};
+  }
+  template <typename T> llvm::MutableArrayRef<T> copy(ArrayRef<T> values) {
+    T *data = arena.Allocate<T>(values.size());
+    std::uninitialized_copy(values.begin(), values.end(), data);
+    return {data, values.size()};
+  }
+  StringRef save(llvm::Twine text) { return llvm::StringSaver(arena).save(text); }
+
+  std::vector<FunctionDecl *> functions; ///< in order of their appearance
+  std::vector<ShaderDecl *> shaders;
+  /// Functions and shaders as they stand in the file, since a function sees only earlier ones.
+  struct Item {
+    FunctionDecl *function = nullptr;
+    ShaderDecl *shader = nullptr;
+  };
+  std::vector<Item> items;
+
+private:
+  llvm::BumpPtrAllocator arena;
+};
+
+} // namespace anysl::rsl
+
+#endif

@@ -1,0 +1,150 @@
+//===-- frontends/rsl/Builtins.cpp - the built-in functions of RSL ----------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Builtins.h"
+
+#include "lib/STC/Shader.h"
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/ADT/StringMap.h"
+#include "llvm/ADT/StringSwitch.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+namespace {
+
+TypeKind typeNamed(StringRef name) {
+  return StringSwitch<TypeKind>(name)
+      .Case("void", TypeKind::Void)
+      .Case("condition", TypeKind::Bool)
+      .Case("float", TypeKind::Float)
+      .Case("color", TypeKind::Color)
+      .Case("point", TypeKind::Point)
+      .Case("vector", TypeKind::Vector)
+      .Case("normal", TypeKind::Normal)
+      .Case("matrix", TypeKind::Matrix)
+      .Case("string", TypeKind::String)
+      .Default(TypeKind::Error);
+}
+
+/// One entry between the commas of an operand list.
+BuiltinOperand parseOperand(StringRef text) {
+  BuiltinOperand operand;
+  if (text == "space") {
+    operand.source = BuiltinOperand::SpaceTo;
+  } else if (text == "space space") {
+    operand.source = BuiltinOperand::SpaceFromTo;
+  } else if (text.consume_front("=")) {
+    text = text.trim();
+    if (text == "_") {
+      operand.source = BuiltinOperand::Discard;
+    } else if (text == "light") {
+      operand.source = BuiltinOperand::Light;
+    } else if (text.starts_with("\"")) {
+      operand.source = BuiltinOperand::Text;
+      operand.text = text.drop_front().drop_back();
+    } else if (!text.getAsDouble(operand.number)) {
+      operand.source = BuiltinOperand::Number;
+    } else {
+      operand.source = BuiltinOperand::Global;
+      for (const stc::GlobalVariableInfo &global : stc::allGlobals())
+        if (global.name == text)
+          operand.global = static_cast<int>(global.id);
+      assert(operand.global >= 0 && "Builtins.def names an unknown global");
+    }
+  } else {
+    if (text.consume_front("out "))
+      operand.source = BuiltinOperand::Out;
+    else if (text.consume_front("inout "))
+      operand.source = BuiltinOperand::InOut;
+    operand.type = typeNamed(text.trim());
+    assert(operand.type != TypeKind::Error && "Builtins.def names an unknown type");
+  }
+  return operand;
+}
+
+struct Table {
+  std::vector<Builtin> builtins;
+  StringMap<SmallVector<const Builtin *, 4>> byName;
+  std::vector<StringRef> names;
+
+  Table() {
+    struct Row {
+      StringRef result, name, operands;
+      stc::Op op;
+      StringRef meaning;
+    };
+    static constexpr Row rows[] = {
+#define RSL_BUILTIN(result, name, operands, op, meaning)                                           \
+  {#result, #name, #operands, stc::Op::op, meaning},
+#include "frontends/rsl/Builtins.def"
+    };
+    builtins.reserve(std::size(rows));
+    for (const Row &row : rows) {
+      Builtin builtin{row.name, typeNamed(row.result), {}, row.op, row.meaning, {}};
+      SmallVector<StringRef, 8> parts;
+      row.operands.drop_front().drop_back().split(parts, ',', -1, /*KeepEmpty=*/false);
+      for (StringRef part : parts) {
+        BuiltinOperand operand = parseOperand(part.trim());
+        if (operand.source <= BuiltinOperand::InOut)
+          builtin.arguments.push_back({operand.type, operand.source != BuiltinOperand::Out,
+                                       operand.source != BuiltinOperand::In});
+        else
+          for (unsigned i = 0; i < operand.argumentCount(); ++i)
+            builtin.arguments.push_back({TypeKind::String, true, false});
+        builtin.operands.push_back(operand);
+      }
+      builtins.push_back(std::move(builtin));
+    }
+    for (const Builtin &builtin : builtins) {
+      SmallVector<const Builtin *, 4> &overloads = byName[builtin.name];
+      if (overloads.empty() && !builtin.name.starts_with("__"))
+        names.push_back(builtin.name);
+      overloads.push_back(&builtin);
+    }
+  }
+};
+
+const Table &table() {
+  static const Table table;
+  return table;
+}
+
+} // namespace
+
+ArrayRef<Builtin> allBuiltins() { return table().builtins; }
+
+ArrayRef<const Builtin *> builtinsNamed(StringRef name) {
+  auto found = table().byName.find(name);
+  return found == table().byName.end() ? ArrayRef<const Builtin *>() : found->second;
+}
+
+ArrayRef<StringRef> builtinNames() { return table().names; }
+
+bool isUnsupportedBuiltin(StringRef name) {
+  static constexpr StringLiteral names[] = {
+      "Du", "Dv", "Deriv", "area", "calculatenormal", "filterwidth", "spline", "texture", "environment",
+      "shadow", "bump", "textureinfo", "texture3d", "bake", "bake3d", "concat", "format", "match",
+      "printf", "depth", "opposite", "incident", "atmosphere", "displacement", "lightsource", "surface",
+      "attribute", "option", "rendererinfo", "rayinfo", "raylevel", "shadername", "getshader",
+      "getshaders", "getlights", "getvar", "occlusion", "indirectdiffuse", "indirect", "photonmap",
+      "caustic", "subsurface", "visibility", "areashadow", "hair", "directlighting", "mtransform",
+      "arraylength", "resize", "push", "pop", "reserve", "capacity"};
+  return is_contained(names, name);
+}
+
+std::string signature(const Builtin &builtin) {
+  std::string text = (nameOf(builtin.result) + " " + builtin.name + "(").str();
+  for (const Builtin::Argument &argument : builtin.arguments) {
+    if (!StringRef(text).ends_with("("))
+      text += ", ";
+    text += (argument.isOut ? "output " : "") + nameOf(argument.type).str();
+  }
+  return text + ")";
+}
+
+} // namespace anysl::rsl

@@ -1,0 +1,63 @@
+//===-- frontends/rsl/Builtins.h - the built-in functions of RSL --------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_FRONTENDS_RSL_BUILTINS_H
+#define ANYSL_FRONTENDS_RSL_BUILTINS_H
+
+#include "frontends/rsl/Type.h"
+#include "lib/STC/Ops.h"
+#include "llvm/ADT/ArrayRef.h"
+#include "llvm/ADT/SmallVector.h"
+#include <vector>
+
+namespace anysl::rsl {
+
+/// Where an operand of the operator comes from, as Builtins.def explains.
+struct BuiltinOperand {
+  enum Source : uint8_t { In, Out, InOut, Global, Number, Text, Discard, Light, SpaceTo, SpaceFromTo };
+  Source source = In;
+  TypeKind type = TypeKind::Float; ///< In, Out, InOut
+  int global = -1;                 ///< Global: as in Globals.def
+  double number = 0;               ///< Number
+  llvm::StringRef text;            ///< Text
+
+  /// How many arguments of the call it takes.
+  unsigned argumentCount() const {
+    return source <= InOut || source == SpaceTo ? 1 : source == SpaceFromTo ? 2 : 0;
+  }
+};
+
+/// One overload of a built-in.
+struct Builtin {
+  llvm::StringRef name;
+  TypeKind result;
+  llvm::SmallVector<BuiltinOperand, 8> operands;
+  stc::Op op;
+  llvm::StringRef meaning;
+
+  struct Argument {
+    TypeKind type;
+    bool isIn, isOut;
+  };
+  /// The arguments of a call, in order.
+  llvm::SmallVector<Argument, 8> arguments;
+};
+
+/// Every overload, in the table's order.
+llvm::ArrayRef<Builtin> allBuiltins();
+/// The overloads of a name; empty if it is no built-in.
+llvm::ArrayRef<const Builtin *> builtinsNamed(llvm::StringRef name);
+/// Each name once.
+llvm::ArrayRef<llvm::StringRef> builtinNames();
+/// Whether a name is a built-in of RSL that this compiler has no operator for.
+bool isUnsupportedBuiltin(llvm::StringRef name);
+/// `color mix(color, color, float)`
+std::string signature(const Builtin &builtin);
+
+} // namespace anysl::rsl
+
+#endif

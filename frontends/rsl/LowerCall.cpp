@@ -1,0 +1,212 @@
+//===-- frontends/rsl/LowerCall.cpp - calls ---------------------------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Lowering.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+
+using stc::Op;
+
+/// Whether the function being written has a context; an operator of the library may have none.
+bool Lowering::hasContext(SMLoc loc) {
+  if (b.context())
+    return true;
+  diags.error(loc, "this needs the shading context, which operator '" +
+                       b.function()->getName().drop_front(stc::opPrefix.size()) + "' does not have");
+  return false;
+}
+
+Value *Lowering::lowerCall(const CallExpr &call) {
+  if (call.function)
+    return callFunction(call);
+  if (call.builtin)
+    return callBuiltin(call);
+  // arraylength of a function's array parameter, whose length the argument has
+  auto slot = stc::slotInfo(lower(call.args[0]));
+  at(call.loc);
+  return number(slot->arrayLength);
+}
+
+static bool effectsAfter(const CallExpr &call, size_t argument) {
+  for (const Expr *later : ArrayRef<Expr *>(call.args).drop_front(argument + 1))
+    if (later->hasEffects)
+      return true;
+  return false;
+}
+
+Value *Lowering::callBuiltin(const CallExpr &call) {
+  const Builtin &builtin = *call.builtin;
+  const stc::OpInfo &op = stc::info(builtin.op);
+  struct Output {
+    Place target;
+    Value *value;
+    Type from, to;
+  };
+  SmallVector<Output, 4> outputs;
+  SmallVector<Value *, 8> values; ///< one for each of the built-in's operands
+  size_t nextArg = 0;
+  for (const BuiltinOperand &operand : builtin.operands) {
+    Type type{operand.type, call.type.varying};
+    switch (operand.source) {
+    case BuiltinOperand::In: {
+      const Expr *arg = call.args[nextArg];
+      values.push_back(lowerBefore(arg, effectsAfter(call, nextArg)));
+      ++nextArg;
+      break;
+    }
+    case BuiltinOperand::Out:
+    case BuiltinOperand::InOut: {
+      const Expr *arg = call.args[nextArg++];
+      Place target = place(arg);
+      at(call.loc);
+      type.varying = arg->type.varying;
+      Value *fresh = temporary(type);
+      if (operand.source == BuiltinOperand::InOut)
+        copy(type, fresh, convert(load(target, arg->type), arg->type, type));
+      values.push_back(fresh);
+      outputs.push_back({target, fresh, type, arg->type});
+      break;
+    }
+    case BuiltinOperand::Global:
+      values.push_back(globalSlot(unsigned(operand.global)));
+      break;
+    case BuiltinOperand::Number:
+      values.push_back(number(operand.number));
+      break;
+    case BuiltinOperand::Text:
+      values.push_back(text(operand.text));
+      break;
+    case BuiltinOperand::Discard:
+      values.push_back(nullptr); // its type is the operator's
+      break;
+    case BuiltinOperand::Light:
+      if (!lightIndex)
+        diags.error(call.loc, "'" + call.name + "' exists only inside of 'illuminance'");
+      values.push_back(lightIndex ? lightIndex : b.index(0));
+      break;
+    case BuiltinOperand::SpaceTo: {
+      Value *to = lower(call.args[nextArg++]);
+      values.push_back(spaceMatrix(text("current"), to, call.loc));
+      break;
+    }
+    case BuiltinOperand::SpaceFromTo: {
+      Value *from = lower(call.args[nextArg++]);
+      Value *to = lower(call.args[nextArg++]);
+      values.push_back(spaceMatrix(from, to, call.loc));
+      break;
+    }
+    }
+  }
+  at(call.loc);
+  if (op.takesContext() && !hasContext(call.loc))
+    return call.type.is(TypeKind::Bool) ? b.ir().getFalse()
+           : call.type.is(TypeKind::Void) ? nullptr
+                                          : temporary(call.type);
+  bool hasResult = builtin.result != TypeKind::Void && builtin.result != TypeKind::Bool;
+  Value *result = hasResult ? temporary(call.type) : nullptr;
+  SmallVector<Value *, 10> operands;
+  size_t next = 0;
+  bool resultGiven = !hasResult;
+  for (const stc::OpParam &param : op.params) {
+    if (param.kind == stc::ParamKind::Ctx) {
+      operands.push_back(b.context());
+    } else if (!resultGiven) {
+      operands.push_back(result);
+      resultGiven = true;
+    } else if (Value *value = values[next++]) {
+      operands.push_back(value);
+    } else {
+      operands.push_back(temporary({typeKindOf(param.type), call.type.varying}));
+    }
+  }
+  Value *returned = b.call(builtin.op, operands);
+  for (const Output &output : outputs)
+    store(output.target, convert(output.value, output.from, output.to));
+  return builtin.result == TypeKind::Bool ? returned : result;
+}
+
+/// Expands a function in place.
+Value *Lowering::callFunction(const CallExpr &call) {
+  const FunctionDecl &function = *call.function;
+  struct Output {
+    Place target;
+    const VarDecl *param;
+    Value *slot;
+    Type to;
+  };
+  SmallVector<Output, 4> outputs;
+  SmallVector<Value *, 8> arguments;
+  for (size_t i = 0; i < call.args.size(); ++i) {
+    const Expr *arg = call.args[i];
+    const VarDecl *param = function.params[i];
+    Type type = param->type.withVarying(arg->type.varying);
+    if (arg->type.isArray())
+      type.length = arg->type.length;
+    if (param->isOutput) {
+      Place target = place(arg);
+      Value *given = load(target, arg->type);
+      if (auto slot = stc::slotInfo(given); type.isArray() && slot)
+        type.length = static_cast<int>(slot->arrayLength);
+      at(call.loc);
+      // The body may give its parameter values that vary although the argument's old one does not.
+      type.varying |= param->type.varying && arg->type.varying;
+      Value *fresh = temporary(type, param->name);
+      copy(type, fresh, convert(given, arg->type, type));
+      arguments.push_back(fresh);
+      outputs.push_back({target, param, fresh, arg->type});
+      continue;
+    }
+    Value *value;
+    if (auto *list = dyn_cast<ListExpr>(arg)) {
+      value = temporary(type, param->name);
+      lowerListInto(*list, value);
+    } else {
+      value = lowerBefore(arg, effectsAfter(call, i));
+    }
+    at(call.loc);
+    if (param->isCopied) {
+      if (auto slot = stc::slotInfo(value); type.isArray() && slot)
+        type.length = static_cast<int>(slot->arrayLength);
+      type.varying = true;
+      Value *fresh = temporary(type, param->name);
+      copy(type, fresh, value);
+      value = fresh;
+    } else if (function.usesOuter && (isa<NameExpr>(arg) || isa<IndexExpr>(arg))) {
+      value = copied(arg->type, value);
+    }
+    arguments.push_back(value);
+  }
+  for (size_t i = 0; i < arguments.size(); ++i)
+    slots[function.params[i]] = arguments[i];
+
+  bool hasResult = function.result.kind != TypeKind::Void;
+  Type outerType = std::exchange(resultType, {function.result.kind, call.type.varying});
+  Value *result = hasResult ? temporary(resultType, function.name) : nullptr;
+  if (hasResult && !alwaysReturns(function.body))
+    setZero(resultType, result);
+  Value *outerResult = std::exchange(resultSlot, result);
+  BasicBlock *outerReturn = std::exchange(returnBlock, b.block((function.name + ".end").str()));
+  std::vector<Loop> outerLoops = std::exchange(loops, {});
+  lowerBody(*function.body);
+  loops = std::move(outerLoops);
+  BasicBlock *end = std::exchange(returnBlock, outerReturn);
+  resultSlot = outerResult;
+  resultType = outerType;
+  at(call.loc);
+  branchTo(end);
+  continueIn(end);
+  for (const Output &output : outputs)
+    store(output.target, convert(output.slot, output.param->type.isArray()
+                                                  ? output.param->type
+                                                  : output.param->type.withVarying(true),
+                                 output.to));
+  return result;
+}
+
+} // namespace anysl::rsl

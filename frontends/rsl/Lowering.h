@@ -1,0 +1,147 @@
+//===-- frontends/rsl/Lowering.h - what the parts of the lowering share -------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+//
+// Values. The result of an operator goes to a fresh slot, and an output argument is copied in and out, so
+// that no operator ever sees one slot twice. Only the value of a variable is its own slot; where something
+// evaluated later could change it, it is copied first.
+//
+// Functions are expanded where they are called: their variables get fresh slots, read-only arguments are
+// handed over as slots, results and output arguments as copies.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_FRONTENDS_RSL_LOWERING_H
+#define ANYSL_FRONTENDS_RSL_LOWERING_H
+
+#include "frontends/rsl/Ast.h"
+#include "frontends/rsl/Builtins.h"
+#include "lib/STC/Builder.h"
+#include "lib/Support/Diagnostics.h"
+#include "llvm/ADT/DenseMap.h"
+#include <map>
+#include <set>
+
+namespace anysl::rsl {
+
+class Lowering {
+public:
+  Lowering(DiagnosticEngine &diags, llvm::LLVMContext &context, llvm::StringRef sourceFile);
+
+  void lowerShader(const ShaderDecl &shader);
+  void lowerLibraryFunction(const FunctionDecl &function);
+  std::unique_ptr<llvm::Module> finish() { return b.finish(); }
+
+private:
+  using Value = llvm::Value;
+
+  /// What can be assigned: a slot, or one component of a triple in it.
+  struct Place {
+    Value *slot = nullptr;
+    Type type;                  ///< of the slot
+    Value *component = nullptr; ///< a float slot that says which
+  };
+  struct Loop {
+    llvm::BasicBlock *onBreak;
+    llvm::BasicBlock *onContinue;
+  };
+
+  // Shaders (Lower.cpp)
+  void at(SMLoc loc);
+  void beginBody();
+  void finishBody(const ShaderDecl *shader);
+  void lowerInit(const ShaderDecl &shader, stc::ShaderInfo &info);
+  void loadParam(const VarDecl &param, const stc::ParamInfo &info, Value *slot);
+  void loadUniformParam(const stc::ParamInfo &info, Value *slot);
+  void loadUsedParams(const ShaderDecl &shader, const stc::ShaderInfo &info);
+  void storeOutputs(const ShaderDecl &shader, const stc::ShaderInfo &info);
+  bool mayReadBeforeWrite(Value *slot);
+  Value *globalSlot(const VarDecl &global);
+  Value *globalSlot(unsigned id);
+  Value *paramSlot(const VarDecl &param);
+  Value *slotOf(const VarDecl &decl);
+  Value *elementOf(Value *array, unsigned i) { return b.element(array, b.index(int(i))); }
+
+  // Statements (LowerStmt.cpp)
+  void lower(const Stmt *stmt);
+  void lowerBody(const BlockStmt &block);
+  void lowerVariable(const VarDecl &decl);
+  void lowerIf(const IfStmt &stmt);
+  void lowerLoop(const LoopStmt &stmt);
+  void lowerReturn(const ReturnStmt &stmt);
+  void lowerIlluminance(const LightStmt &stmt);
+  void lowerIlluminate(const LightStmt &stmt);
+  bool isOpen() const { return !builder().GetInsertBlock()->getTerminator(); }
+  void branchTo(llvm::BasicBlock *block);
+  void branchIf(Value *condition, llvm::BasicBlock *whenTrue, llvm::BasicBlock *whenFalse);
+  void continueIn(llvm::BasicBlock *block) { builder().SetInsertPoint(block); }
+
+  // Expressions (LowerExpr.cpp)
+  Value *lower(const Expr *expr);
+  Value *lowerBefore(const Expr *expr, bool effectsFollow);
+  Value *lowerCondition(const Expr *expr);
+  Value *lowerBinary(const BinaryExpr &binary);
+  Value *lowerConditional(const ConditionalExpr &conditional);
+  Value *lowerAssign(const AssignExpr &assign);
+  Value *lowerTuple(const TupleExpr &tuple);
+  Value *lowerCast(const CastExpr &cast);
+  Value *lowerIndex(const IndexExpr &index);
+  void lowerListInto(const ListExpr &list, Value *array);
+  Place place(const Expr *target);
+  Value *load(const Place &place, Type type);
+  void store(const Place &place, Value *value);
+  Value *convert(Value *value, Type from, Type to);
+  Value *temporary(Type type, llvm::StringRef name = "");
+  void copy(Type type, Value *to, Value *from);
+  Value *copied(Type type, Value *value);
+  Value *number(double value);
+  Value *text(llvm::StringRef value);
+  Value *zero(Type type);
+  void setZero(Type type, Value *slot);
+  Value *spaceMatrix(Value *from, Value *to, SMLoc loc);
+
+  // Calls (LowerCall.cpp)
+  Value *lowerCall(const CallExpr &call);
+  Value *callBuiltin(const CallExpr &call);
+  Value *callFunction(const CallExpr &call);
+  Value *callOp(stc::Op op, llvm::ArrayRef<Value *> operands);
+  bool hasContext(SMLoc loc);
+
+  /// An operator of a family `name_<representation>`: copy_color, add_vector.
+  static stc::Op opFor(TypeKind kind, stc::Op onFloat, stc::Op onColor, stc::Op onVector);
+  static stc::Storage storage(Type type) {
+    return type.varying ? stc::Storage::Varying : stc::Storage::Uniform;
+  }
+  llvm::IRBuilder<> &builder() { return b.ir(); }
+  const llvm::IRBuilder<> &builder() const { return const_cast<stc::Builder &>(b).ir(); }
+
+  DiagnosticEngine &diags;
+  stc::Builder b;
+  SMLoc lastLocation;
+
+  // Of the function being written
+  llvm::DenseMap<const VarDecl *, Value *> slots;
+  llvm::DenseMap<const OpaqueExpr *, Value *> opaques;
+  std::map<unsigned, Value *> globals;      ///< slots of shader globals, by number
+  std::map<unsigned, Value *> lightGlobals; ///< inside illuminance: L and Cl
+  std::set<unsigned> writtenGlobals;
+  std::set<const VarDecl *> usedParams;
+  const stc::ShaderInfo *initOf = nullptr; ///< set while defaults are computed
+  llvm::BasicBlock *bodyBlock = nullptr;
+  llvm::BasicBlock *exitBlock = nullptr;
+
+  // Of the function being expanded
+  Type resultType;
+  Value *resultSlot = nullptr;
+  llvm::BasicBlock *returnBlock = nullptr;
+  std::vector<Loop> loops;
+  Value *lightIndex = nullptr;
+};
+
+} // namespace anysl::rsl
+
+#endif

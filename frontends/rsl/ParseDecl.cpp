@@ -1,0 +1,325 @@
+//===-- frontends/rsl/ParseDecl.cpp - shaders, functions, variables ---------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Parser.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/ADT/StringSwitch.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+
+StringRef nameOf(ShaderType type) {
+  switch (type) {
+  case ShaderType::Surface: return "surface";
+  case ShaderType::Displacement: return "displacement";
+  case ShaderType::Light: return "light";
+  case ShaderType::Volume: return "volume";
+  case ShaderType::Imager: return "imager";
+  }
+  llvm_unreachable("unknown shader type");
+}
+
+/// The kind that a word in front of a shader's name means. These words are not reserved: shaders use
+/// `light` and `surface` as names of variables and built-ins.
+static std::optional<ShaderType> shaderType(StringRef word) {
+  return StringSwitch<std::optional<ShaderType>>(word)
+      .Case("surface", ShaderType::Surface)
+      .Case("displacement", ShaderType::Displacement)
+      .Case("light", ShaderType::Light)
+      .Cases("volume", "transformation", ShaderType::Volume)
+      .Case("imager", ShaderType::Imager)
+      .Default(std::nullopt);
+}
+
+//===-- Words -----------------------------------------------------------------------------------//
+
+Token Parser::take() {
+  Token token = peek();
+  if (position + 1 < tokens.size())
+    ++position;
+  return token;
+}
+
+bool Parser::accept(TokenKind kind) {
+  if (!at(kind))
+    return false;
+  take();
+  return true;
+}
+
+void Parser::errorHere(const Twine &message) {
+  diags.error(peek().loc, message).range(peek().range());
+}
+
+bool Parser::expect(TokenKind kind, StringRef where) {
+  if (accept(kind))
+    return true;
+  // What is missing is missing behind the last word, which may be lines above the next.
+  bool sameLine = diags.presumed(lastEnd()).line == diags.presumed(peek().loc).line &&
+                  !at(TokenKind::End);
+  SMLoc loc = sameLine ? peek().loc : lastEnd();
+  auto error = diags.error(loc, "expected " + describe(kind) + " " + where);
+  if (kind == TokenKind::Semicolon)
+    error.fixit({lastEnd(), lastEnd()}, ";");
+  return false;
+}
+
+bool Parser::enter(SMLoc loc) {
+  static constexpr unsigned MaxNesting = 256;
+  if (depth >= MaxNesting) {
+    diags.error(loc, "nested more than " + Twine(MaxNesting) + " levels deep");
+    return false;
+  }
+  ++depth;
+  return true;
+}
+
+/// Skips to behind the next ';' of this block, or to what closes or opens a block or starts a declaration.
+void Parser::skipStatement() {
+  while (!peek().isOneOf(TokenKind::End, TokenKind::RightBrace)) {
+    if (accept(TokenKind::Semicolon))
+      return;
+    if (at(TokenKind::LeftBrace)) {
+      skipBrackets();
+      return;
+    }
+    take();
+  }
+}
+
+/// At a '{': skips to behind the '}' that belongs to it.
+void Parser::skipBrackets() {
+  unsigned open = 0;
+  do {
+    if (at(TokenKind::LeftBrace))
+      ++open;
+    else if (at(TokenKind::RightBrace))
+      --open;
+    take();
+  } while (open && !at(TokenKind::End));
+}
+
+void Parser::skipToDeclaration() {
+  while (!at(TokenKind::End)) {
+    if (at(TokenKind::LeftBrace)) {
+      skipBrackets();
+      return;
+    }
+    if (accept(TokenKind::Semicolon))
+      return;
+    take();
+    if (at(TokenKind::Identifier) && shaderType(peek().text) &&
+        peek(1).is(TokenKind::Identifier) && peek(2).is(TokenKind::LeftParen))
+      return;
+  }
+}
+
+bool Parser::atTypeName() const {
+  return peek().kind >= TokenKind::KwFloat && peek().kind <= TokenKind::KwVoid;
+}
+
+bool Parser::atSpecifier() const {
+  return atTypeName() || peek().isOneOf(TokenKind::KwUniform, TokenKind::KwVarying,
+                                        TokenKind::KwOutput, TokenKind::KwExtern);
+}
+
+//===-- Top level -------------------------------------------------------------------------------//
+
+void Parser::parseFile() {
+  while (!at(TokenKind::End) && !diags.reachedLimit()) {
+    if (accept(TokenKind::Semicolon))
+      continue;
+    parseTopLevel();
+  }
+}
+
+void Parser::parseTopLevel() {
+  const Token &first = peek();
+  if (first.is(TokenKind::Identifier) && peek(1).is(TokenKind::Identifier)) {
+    if (std::optional<ShaderType> type = shaderType(first.text))
+      return parseShader(*type);
+    diags
+        .error(first.loc,
+               "unknown kind of shader '" + first.text + "'" +
+                   didYouMean(first.text, {"surface", "displacement", "light", "volume", "imager",
+                                           "void", "float", "color", "point", "vector", "normal",
+                                           "matrix", "string"}))
+        .range(first.range());
+    return skipToDeclaration();
+  }
+  bool isUntypedFunction = first.is(TokenKind::Identifier) && peek(1).is(TokenKind::LeftParen);
+  if (!atSpecifier() && !isUntypedFunction) {
+    errorHere("expected a shader or a function, not " +
+              (first.is(TokenKind::Identifier) ? "'" + first.text.str() + "'"
+                                               : describe(first.kind).str()));
+    return skipToDeclaration();
+  }
+  Specifiers specifiers = parseSpecifiers();
+  if (!at(TokenKind::Identifier) || !peek(1).is(TokenKind::LeftParen)) {
+    if (at(TokenKind::Identifier))
+      errorHere("variables cannot be declared outside of shaders and functions");
+    else
+      errorHere("expected the name of a function, not " + describe(peek().kind));
+    return skipToDeclaration();
+  }
+  if (FunctionDecl *decl = parseFunction(specifiers)) {
+    ast.functions.push_back(decl);
+    ast.items.push_back({decl, nullptr});
+  }
+}
+
+void Parser::parseShader(ShaderType type) {
+  take();
+  Token name = take();
+  std::vector<VarDecl *> params;
+  if (!parseParams(VarKind::ShaderParam, params, nullptr))
+    return skipToDeclaration();
+  if (!at(TokenKind::LeftBrace)) {
+    expect(TokenKind::LeftBrace, "before the body of a shader");
+    return skipToDeclaration();
+  }
+  for (size_t i = 0; i < params.size(); ++i)
+    params[i]->id = static_cast<unsigned>(i);
+  ShaderDecl shader{type, name.text, name.range(), ast.copy<VarDecl *>(params)};
+  shader.body = parseBlock();
+  auto *decl = ast.make<ShaderDecl>(shader);
+  ast.shaders.push_back(decl);
+  ast.items.push_back({nullptr, decl});
+}
+
+FunctionDecl *Parser::parseFunction(const Specifiers &specifiers) {
+  Token name = take();
+  auto *decl = ast.make<FunctionDecl>();
+  decl->name = name.text;
+  decl->range = name.range();
+  decl->result = {specifiers.hasType ? specifiers.type : TypeKind::Void, specifiers.varying,
+                  Type::NoArray};
+  decl->resultHasStorage = specifiers.hasStorage;
+  decl->outer = function;
+  function = decl;
+  std::vector<VarDecl *> params;
+  bool ok = parseParams(VarKind::FunctionParam, params, decl);
+  if (ok && !at(TokenKind::LeftBrace)) {
+    expect(TokenKind::LeftBrace, "before the body of a function");
+    ok = false;
+  }
+  if (ok) {
+    decl->params = ast.copy<VarDecl *>(params);
+    decl->body = parseBlock();
+  } else {
+    skipToDeclaration();
+  }
+  function = decl->outer;
+  return ok ? decl : nullptr;
+}
+
+/// `(type a, b; type c …)`; a comma may also stand before a new type.
+bool Parser::parseParams(VarKind kind, std::vector<VarDecl *> &params, FunctionDecl *owner) {
+  if (!expect(TokenKind::LeftParen, "before parameters"))
+    return false;
+  while (!at(TokenKind::RightParen)) {
+    if (accept(TokenKind::Semicolon))
+      continue;
+    if (!atSpecifier()) {
+      errorHere("expected a parameter's type or ')', not " +
+                (at(TokenKind::Identifier) ? "'" + peek().text.str() + "'"
+                                           : describe(peek().kind).str()));
+      return false;
+    }
+    Specifiers specifiers = parseSpecifiers();
+    if (!specifiers.hasType || specifiers.type == TypeKind::Void) {
+      if (specifiers.type == TypeKind::Void && at(TokenKind::RightParen) && params.empty())
+        continue; // (void)
+      diags.error(specifiers.loc, "a parameter needs a type");
+      specifiers.type = TypeKind::Float;
+    }
+    do {
+      VarDecl *param = parseVariable(kind, specifiers, owner);
+      if (!param)
+        return false;
+      params.push_back(param);
+    } while (accept(TokenKind::Comma) && !atSpecifier());
+    if (!at(TokenKind::RightParen) && !at(TokenKind::Semicolon) && !atSpecifier()) {
+      errorHere("expected ';', ',' or ')' after a parameter, not " + describe(peek().kind));
+      return false;
+    }
+  }
+  take();
+  return true;
+}
+
+Parser::Specifiers Parser::parseSpecifiers() {
+  Specifiers specifiers;
+  specifiers.loc = peek().loc;
+  while (atSpecifier()) {
+    const Token &token = peek();
+    switch (token.kind) {
+    case TokenKind::KwOutput: specifiers.isOutput = true; break;
+    case TokenKind::KwExtern: specifiers.isExtern = true; break;
+    case TokenKind::KwUniform:
+    case TokenKind::KwVarying:
+      specifiers.hasStorage = true;
+      specifiers.varying = token.is(TokenKind::KwVarying);
+      break;
+    default:
+      if (specifiers.hasType) {
+        errorHere("two types in one declaration");
+        break;
+      }
+      specifiers.hasType = true;
+      switch (token.kind) {
+      case TokenKind::KwFloat: specifiers.type = TypeKind::Float; break;
+      case TokenKind::KwColor: specifiers.type = TypeKind::Color; break;
+      case TokenKind::KwPoint: specifiers.type = TypeKind::Point; break;
+      case TokenKind::KwVector: specifiers.type = TypeKind::Vector; break;
+      case TokenKind::KwNormal: specifiers.type = TypeKind::Normal; break;
+      case TokenKind::KwMatrix: specifiers.type = TypeKind::Matrix; break;
+      case TokenKind::KwString: specifiers.type = TypeKind::String; break;
+      default: specifiers.type = TypeKind::Void; break;
+      }
+    }
+    take();
+  }
+  return specifiers;
+}
+
+/// `name`, `name[length]`, each with an optional `= value`.
+VarDecl *Parser::parseVariable(VarKind kind, const Specifiers &specifiers, FunctionDecl *owner) {
+  if (!at(TokenKind::Identifier)) {
+    if (peek().text.empty() || !isAlpha(peek().text.front()))
+      errorHere("expected a name in a declaration, not " + describe(peek().kind));
+    else
+      errorHere("'" + peek().text + "' is a reserved word and cannot be a name");
+    return nullptr;
+  }
+  Token name = take();
+  auto *decl = ast.make<VarDecl>();
+  decl->kind = kind;
+  decl->name = name.text;
+  decl->range = name.range();
+  decl->owner = owner;
+  decl->isOutput = specifiers.isOutput;
+  decl->hasStorage = specifiers.hasStorage;
+  // Parameters of shaders are uniform unless they say otherwise, everything else varies.
+  decl->type.kind = specifiers.type;
+  decl->type.varying =
+      specifiers.hasStorage ? specifiers.varying : kind != VarKind::ShaderParam;
+  if (accept(TokenKind::LeftBracket)) {
+    decl->type.length = Type::AnyLength;
+    if (!at(TokenKind::RightBracket) && !(decl->length = parseExpr()))
+      return nullptr;
+    if (!expect(TokenKind::RightBracket, "after the length of an array"))
+      return nullptr;
+  }
+  if (accept(TokenKind::Equal) && !(decl->init = parseExpr()))
+    return nullptr;
+  return decl;
+}
+
+} // namespace anysl::rsl

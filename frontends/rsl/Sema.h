@@ -1,0 +1,131 @@
+//===-- frontends/rsl/Sema.h - names, types, conversions ----------------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_FRONTENDS_RSL_SEMA_H
+#define ANYSL_FRONTENDS_RSL_SEMA_H
+
+#include "frontends/rsl/Ast.h"
+#include "frontends/rsl/Builtins.h"
+#include "lib/Support/Diagnostics.h"
+#include "llvm/ADT/StringMap.h"
+
+namespace anysl::rsl {
+
+/// Holds a parsed file against the rules of RSL and completes the tree: every name gets its declaration,
+/// every call its overload, every expression its type and storage class; implicit conversions become
+/// CastExprs. A tree without errors is all that lowering needs.
+///
+/// An overload is chosen by its arguments and by the type that the context wants (the `hint`), so that
+/// `color c = noise(P)` is color noise. Where an argument is itself of a kind that depends on its context
+/// ("flexible": noise(P), a bare triple), the other arguments decide.
+class Sema {
+public:
+  struct Options {
+    bool isLibrary = false; ///< functions define operators (rslc --library)
+  };
+
+  Sema(Ast &ast, DiagnosticEngine &diags, Options options);
+  void check();
+
+private:
+  struct Scope {
+    FunctionDecl *function = nullptr;
+    llvm::StringMap<VarDecl *> variables;
+    llvm::StringMap<llvm::SmallVector<FunctionDecl *, 2>> functions;
+  };
+  /// An overload that a call may mean, a function's or a built-in's.
+  struct Candidate {
+    FunctionDecl *function = nullptr;
+    const Builtin *builtin = nullptr;
+    TypeKind result() const { return function ? function->result.kind : builtin->result; }
+    size_t size() const { return function ? function->params.size() : builtin->arguments.size(); }
+    Type type(size_t i) const;
+    bool isIn(size_t i) const;
+    bool isOut(size_t i) const;
+  };
+
+  // Scopes
+  void pushScope();
+  void popScope();
+  void declare(VarDecl *decl);
+  VarDecl *lookup(StringRef name, FunctionDecl **owner = nullptr);
+  void declareGlobals();
+  void warnUnused(const VarDecl &decl);
+  std::vector<StringRef> visibleNames() const;
+
+  // Declarations
+  void checkShader(ShaderDecl &shader);
+  void checkFunction(FunctionDecl &function);
+  void checkParam(VarDecl &param);
+  void checkVariable(VarDecl &decl);
+  void checkArrayLength(VarDecl &decl);
+  void checkInitialiser(VarDecl &decl);
+  void checkExtern(ExternStmt &stmt);
+  void matchLibraryFunction(FunctionDecl &function);
+
+  // Statements
+  void checkStmt(Stmt *stmt);
+  void checkBlock(BlockStmt &block);
+  void checkLoop(LoopStmt &loop);
+  void checkJump(JumpStmt &jump);
+  void checkReturn(ReturnStmt &stmt);
+  void checkLight(LightStmt &stmt);
+
+  // Expressions. check() returns the expression or what replaces it, never null; after an error its
+  // type is Error.
+  Expr *check(Expr *expr, TypeKind hint = TypeKind::Error);
+  Expr *checkName(NameExpr &name);
+  Expr *checkIndex(IndexExpr &index);
+  Expr *checkNegate(NegateExpr &negate, TypeKind hint);
+  Expr *checkBinary(BinaryExpr &binary, TypeKind hint);
+  Expr *checkComparison(BinaryExpr &binary);
+  Expr *checkConditional(ConditionalExpr &conditional, TypeKind hint);
+  Expr *checkAssign(AssignExpr &assign);
+  Expr *checkTuple(TupleExpr &tuple, TypeKind hint);
+  Expr *checkCast(CastExpr &cast);
+  Expr *checkCall(CallExpr &call, TypeKind hint);
+  Expr *checkList(ListExpr &list, Type wanted);
+  Expr *checkCondition(Expr *expr);
+  void checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how);
+  Type arithmeticType(BinaryExpr &binary);
+  Expr *convert(Expr *expr, Type to, const llvm::Twine &what);
+  Expr *checkAs(Expr *expr, Type to, const llvm::Twine &what);
+  bool checkStorage(const Expr *value, bool targetVaries, const llvm::Twine &what);
+  std::optional<double> constant(const Expr *expr);
+
+  // Calls
+  Type probe(Expr *expr);
+  Type probeInner(Expr *expr);
+  std::vector<Candidate> candidates(StringRef name);
+  int cost(const Candidate &candidate, const CallExpr &call, llvm::ArrayRef<Type> args,
+           TypeKind hint);
+  std::optional<Candidate> choose(CallExpr &call, llvm::ArrayRef<Type> args, TypeKind hint);
+  bool isFlexible(CallExpr &call, llvm::ArrayRef<Type> args);
+  void reportUnknown(const CallExpr &call);
+  void reportNoMatch(const CallExpr &call, llvm::ArrayRef<Type> args,
+                     llvm::ArrayRef<Candidate> candidates);
+  CallExpr *foldExtremes(CallExpr &call);
+  Expr *checkArrayLengthCall(CallExpr &call);
+  std::string signature(const Candidate &candidate);
+  void useVarying();
+
+  Ast &ast;
+  DiagnosticEngine &diags;
+  Options options;
+  std::vector<Scope> scopes;
+  ShaderDecl *shader = nullptr;
+  FunctionDecl *function = nullptr;
+  unsigned loops = 0;
+  unsigned illuminances = 0;
+};
+
+/// The common type of two operands of arithmetic; Error if there is none.
+TypeKind combinedKind(BinaryOp op, Type left, Type right);
+
+} // namespace anysl::rsl
+
+#endif

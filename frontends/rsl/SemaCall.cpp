@@ -1,0 +1,402 @@
+//===-- frontends/rsl/SemaCall.cpp - which function a call means ------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Sema.h"
+
+#include "lib/STC/Shader.h"
+#include "llvm/ADT/StringExtras.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+
+Type Sema::Candidate::type(size_t i) const {
+  return function ? function->params[i]->type : Type{builtin->arguments[i].type};
+}
+bool Sema::Candidate::isIn(size_t i) const { return function || builtin->arguments[i].isIn; }
+bool Sema::Candidate::isOut(size_t i) const {
+  return function ? function->params[i]->isOutput : builtin->arguments[i].isOut;
+}
+
+std::string Sema::signature(const Candidate &candidate) {
+  if (candidate.builtin)
+    return rsl::signature(*candidate.builtin);
+  const FunctionDecl &decl = *candidate.function;
+  std::string text = toString(decl.result) + " " + decl.name.str() + "(";
+  for (const VarDecl *param : decl.params)
+    text += (param == decl.params[0] ? "" : ", ") + std::string(param->isOutput ? "output " : "") +
+            toString(param->type);
+  return text + ")";
+}
+
+//===-- What an expression's type is before its context is known --------------------------------//
+
+/// The type that an expression has in any context; Error if that depends on the context, or is unknown.
+Type Sema::probe(Expr *expr) {
+  if (!expr->isProbed) {
+    expr->probed = probeInner(expr);
+    expr->isProbed = true;
+  }
+  return expr->probed;
+}
+
+Type Sema::probeInner(Expr *expr) {
+  switch (expr->kind) {
+  case ExprKind::Number:
+    return {TypeKind::Float};
+  case ExprKind::String:
+    return {TypeKind::String};
+  case ExprKind::Name: {
+    auto *name = cast<NameExpr>(expr);
+    if (VarDecl *decl = lookup(name->name))
+      return decl->type;
+    return {name->name == "PI" ? TypeKind::Float : TypeKind::Error};
+  }
+  case ExprKind::Index: {
+    Type base = probe(cast<IndexExpr>(expr)->base);
+    return base.isTriple() ? Type{TypeKind::Float} : base.element();
+  }
+  case ExprKind::Negate:
+    return probe(cast<NegateExpr>(expr)->operand);
+  case ExprKind::Not:
+    return {TypeKind::Bool};
+  case ExprKind::Binary: {
+    auto *binary = cast<BinaryExpr>(expr);
+    if (isComparison(binary->op) || isLogical(binary->op))
+      return {TypeKind::Bool};
+    if (binary->op == BinaryOp::Dot)
+      return {TypeKind::Float};
+    if (binary->op == BinaryOp::Cross)
+      return {TypeKind::Vector};
+    Type left = probe(binary->left), right = probe(binary->right);
+    if (left.isError())
+      return right.isTriple() || right.is(TypeKind::Matrix) ? right : Type();
+    if (right.isError())
+      return left.isTriple() || left.is(TypeKind::Matrix) ? left : Type();
+    return {combinedKind(binary->op, left, right)};
+  }
+  case ExprKind::Conditional: {
+    auto *conditional = cast<ConditionalExpr>(expr);
+    Type a = probe(conditional->whenTrue), b = probe(conditional->whenFalse);
+    if (a.isError() || b.isError())
+      return a.isTriple() ? a : b.isTriple() ? b : Type();
+    return a.is(TypeKind::String) ? a : Type{combinedKind(BinaryOp::Add, a, b)};
+  }
+  case ExprKind::Assign:
+    return probe(cast<AssignExpr>(expr)->target);
+  case ExprKind::Tuple:
+    return {cast<TupleExpr>(expr)->elements.size() == 16 ? TypeKind::Matrix : TypeKind::Error};
+  case ExprKind::Cast:
+    return {cast<CastExpr>(expr)->to};
+  case ExprKind::Call: {
+    auto *call = cast<CallExpr>(expr);
+    SmallVector<Type, 8> args;
+    for (Expr *arg : call->args)
+      args.push_back(probe(arg));
+    if ((call->name == "min" || call->name == "max") && args.size() > 2 &&
+        candidates(call->name)[0].builtin) {
+      Type kind = args[0];
+      for (Type arg : args)
+        kind = {combinedKind(BinaryOp::Add, kind, arg)};
+      return kind;
+    }
+    if (isFlexible(*call, args))
+      return {};
+    std::optional<Candidate> chosen = choose(*call, args, TypeKind::Error);
+    return {chosen ? chosen->result() : TypeKind::Error};
+  }
+  case ExprKind::Comma:
+    return probe(cast<CommaExpr>(expr)->elements.back());
+  case ExprKind::List:
+    return {};
+  case ExprKind::Opaque:
+    return expr->type;
+  }
+  llvm_unreachable("unknown expression");
+}
+
+/// Whether several overloads fit a call's arguments equally well and differ in their result.
+bool Sema::isFlexible(CallExpr &call, ArrayRef<Type> args) {
+  int best = INT_MAX;
+  TypeKind result = TypeKind::Error;
+  bool differs = false;
+  for (const Candidate &candidate : candidates(call.name)) {
+    int price = cost(candidate, call, args, TypeKind::Error);
+    if (price < 0 || price > best)
+      continue;
+    differs = price == best && (differs || candidate.result() != result);
+    best = price;
+    result = candidate.result();
+  }
+  return differs;
+}
+
+//===-- Overloads -------------------------------------------------------------------------------//
+
+/// The functions in scope that have a name, inner ones first, then the built-ins.
+std::vector<Sema::Candidate> Sema::candidates(StringRef name) {
+  std::vector<Candidate> found;
+  for (Scope &scope : llvm::reverse(scopes)) {
+    auto entry = scope.functions.find(name);
+    if (entry == scope.functions.end())
+      continue;
+    for (FunctionDecl *decl : entry->second)
+      if (!decl->defines) // the operator is called, whoever defines it in the end
+        found.push_back({decl, nullptr});
+    if (!found.empty())
+      break;
+  }
+  for (const Builtin *builtin : builtinsNamed(name))
+    found.push_back({nullptr, builtin});
+  return found;
+}
+
+/// How badly a call fits an overload; negative if not at all. Unknown argument types fit numbers.
+int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> args,
+               TypeKind hint) {
+  if (candidate.size() != args.size())
+    return -1;
+  int total = 0;
+  for (size_t i = 0; i < args.size(); ++i) {
+    Type param = candidate.type(i);
+    if (args[i].isError()) {
+      bool fits = param.isNumeric() || param.isError();
+      if (isa<TupleExpr>(call.args[i]))
+        fits = param.isTriple();
+      if (!fits)
+        return -1;
+      continue;
+    }
+    if (candidate.isIn(i)) {
+      int price = conversionCost(args[i], param);
+      if (price < 0)
+        return -1;
+      total += price;
+    }
+    if (candidate.isOut(i)) {
+      // What comes back must be of the same kind: a color gets no float.
+      int price = conversionCost(param, args[i]);
+      if (price < 0 || price > 4)
+        return -1;
+      total += price;
+    }
+  }
+  if (hint == TypeKind::Error)
+    return total;
+  int price = conversionCost({candidate.result()}, {hint});
+  return total + (price < 0 ? 1000 : price);
+}
+
+/// The overload that fits best; the user's own functions go before built-ins of the same name.
+std::optional<Sema::Candidate> Sema::choose(CallExpr &call, ArrayRef<Type> args, TypeKind hint) {
+  std::optional<Candidate> best;
+  int lowest = INT_MAX;
+  for (const Candidate &candidate : candidates(call.name)) {
+    if (candidate.builtin && best && best->function)
+      break;
+    int price = cost(candidate, call, args, hint);
+    if (price >= 0 && price < lowest) {
+      lowest = price;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+/// min and max of more than two arguments are calls inside of calls.
+CallExpr *Sema::foldExtremes(CallExpr &call) {
+  Expr *left = call.args[0];
+  for (size_t i = 1; i + 1 < call.args.size(); ++i) {
+    Expr *pair[] = {left, call.args[i]};
+    left = ast.make<CallExpr>(call.nameRange, call.range, call.name, ast.copy<Expr *>(pair));
+  }
+  Expr *pair[] = {left, call.args.back()};
+  return ast.make<CallExpr>(call.nameRange, call.range, call.name, ast.copy<Expr *>(pair));
+}
+
+/// arraylength(a) is a constant.
+Expr *Sema::checkArrayLengthCall(CallExpr &call) {
+  Expr *array = call.args.size() == 1 ? check(call.args[0]) : nullptr;
+  if (array && array->type.isError())
+    return array;
+  if (!array || !array->type.isArray()) {
+    diags.error(call.loc, "'arraylength' takes one array").range(call.range);
+    call.type = {TypeKind::Error};
+    return &call;
+  }
+  if (array->type.length == Type::AnyLength) {
+    // Known where the function is expanded; lowering looks at the argument.
+    call.args[0] = array;
+    call.type = {TypeKind::Float};
+    return &call;
+  }
+  auto *number = ast.make<NumberExpr>(call.range, double(array->type.length));
+  number->type = {TypeKind::Float};
+  return number;
+}
+
+Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
+  if (given.name == "arraylength")
+    return checkArrayLengthCall(given);
+  std::vector<Candidate> all = candidates(given.name);
+  CallExpr *call = &given;
+  bool isExtreme = given.name == "min" || given.name == "max";
+  if (isExtreme && given.args.size() > 2 && all[0].builtin) {
+    call = foldExtremes(given);
+    call->depth = given.depth;
+  }
+  SmallVector<Type, 8> args;
+  bool bad = false;
+  for (Expr *arg : call->args)
+    args.push_back(probe(arg));
+  std::optional<Candidate> chosen = choose(*call, args, hint);
+  if (!chosen) {
+    for (Expr *&arg : call->args) {
+      arg = check(arg);
+      bad |= arg->type.isError();
+    }
+    // Where an argument is wrong by itself, that message is enough.
+    if (all.empty())
+      reportUnknown(*call);
+    else if (!bad)
+      reportNoMatch(*call, args, all);
+    call->type = {TypeKind::Error};
+    return call;
+  }
+  call->function = chosen->function;
+  call->builtin = chosen->builtin;
+  if (call->function)
+    call->function->isUsed = true;
+  if (call->function && call->function->isBeingChecked) {
+    diags.error(call->loc, "function '" + call->name + "' calls itself; RSL has no recursion")
+        .range(call->nameRange)
+        .note(call->function->range.Start, "declared here", call->function->range);
+    bad = true;
+  }
+
+  bool varying = false;
+  for (size_t i = 0; i < call->args.size(); ++i) {
+    Type param = chosen->type(i);
+    std::string what = ("argument " + Twine(i + 1) + " of '" + call->name + "'").str();
+    Expr *&arg = call->args[i];
+    if (chosen->isOut(i)) {
+      // A variable that is only written by the call is not read by it.
+      auto *name = dyn_cast<NameExpr>(arg);
+      VarDecl *decl = name ? lookup(name->name) : nullptr;
+      bool wasRead = decl && decl->isRead;
+      arg = check(arg);
+      if (decl && !chosen->isIn(i))
+        decl->isRead = wasRead;
+      call->hasEffects = true;
+    } else if (auto *list = dyn_cast<ListExpr>(arg); list && param.isArray()) {
+      param.length = static_cast<int>(list->elements.size());
+      arg = checkList(*list, param);
+    } else {
+      arg = checkAs(arg, param, what);
+    }
+    if (chosen->isIn(i))
+      varying |= arg->type.varying;
+    bad |= arg->type.isError();
+    call->hasEffects |= arg->hasEffects;
+    if (chosen->function && chosen->function->params[i]->hasStorage && chosen->isIn(i))
+      checkStorage(arg, param.varying, what + " is uniform");
+  }
+  if (chosen->function) {
+    varying |= chosen->function->isVarying;
+    if (chosen->function->resultHasStorage)
+      varying = chosen->function->result.varying;
+    call->hasEffects |= chosen->function->usesOuter;
+    if (chosen->function->isVarying)
+      useVarying();
+  } else {
+    for (const BuiltinOperand &operand : chosen->builtin->operands)
+      if (operand.source == BuiltinOperand::Global) {
+        varying |= stc::globalNumbered(unsigned(operand.global))->storage == stc::Storage::Varying;
+        if (function)
+          function->usesOuter = true;
+      }
+    const stc::OpInfo &op = stc::info(chosen->builtin->op);
+    if (op.rule == stc::Rule::Uniform)
+      varying = false;
+    // random() gives one number for all points where that is what is asked for.
+    if (op.rule == stc::Rule::Varying && op.effect != stc::Effect::Random)
+      varying = true;
+    call->hasEffects |= op.purity == stc::Purity::Stateful;
+    if (varying && op.rule == stc::Rule::Varying)
+      useVarying();
+    for (const BuiltinOperand &operand : chosen->builtin->operands)
+      if (operand.source == BuiltinOperand::Light && !illuminances && !function)
+        diags.error(call->loc, "'" + call->name + "' exists only inside of 'illuminance'")
+            .range(call->nameRange);
+  }
+  for (size_t i = 0; i < call->args.size(); ++i)
+    if (chosen->isOut(i)) {
+      bool argVaries = varying;
+      if (chosen->function && chosen->function->params[i]->hasStorage)
+        argVaries = chosen->function->params[i]->type.varying;
+      checkTarget(call->args[i], argVaries, call->args[i]->loc,
+                  ("output argument " + Twine(i + 1) + " of '" + call->name + "'").str());
+    }
+  call->type = {bad ? TypeKind::Error : chosen->result(), varying};
+  return call;
+}
+
+//===-- Messages --------------------------------------------------------------------------------//
+
+void Sema::reportUnknown(const CallExpr &call) {
+  if (isUnsupportedBuiltin(call.name)) {
+    diags.error(call.loc, "built-in '" + call.name + "' is not supported").range(call.nameRange);
+    return;
+  }
+  std::vector<StringRef> names;
+  for (const Scope &scope : scopes)
+    for (const auto &entry : scope.functions)
+      names.push_back(entry.first());
+  llvm::sort(names);
+  llvm::append_range(names, builtinNames());
+  auto error = diags.error(call.loc, "unknown function '" + call.name + "'" +
+                                         didYouMean(call.name, names));
+  error.range(call.nameRange);
+  if (std::optional<StringRef> likely = suggest(call.name, names))
+    error.fixit(call.nameRange, *likely);
+  for (FunctionDecl *decl : ast.functions)
+    if (decl->name == call.name) {
+      error.note(decl->range.Start, "it is defined later; functions must stand before their use",
+                 decl->range);
+      break;
+    }
+}
+
+void Sema::reportNoMatch(const CallExpr &call, ArrayRef<Type> args,
+                         ArrayRef<Candidate> candidates) {
+  std::string types;
+  for (size_t i = 0; i < args.size(); ++i)
+    types += (i ? ", " : "") + toString(call.args[i]->type);
+  auto error = diags.error(call.loc, "no function '" + call.name + "' takes (" + types + ")");
+  error.range(call.nameRange);
+  for (const Expr *arg : call.args)
+    error.range(arg->range);
+  for (const Candidate &candidate : candidates) {
+    std::string text = "candidate: " + signature(candidate);
+    if (candidate.size() != args.size()) {
+      text += ", which takes " + utostr(candidate.size()) + " argument" +
+              (candidate.size() == 1 ? "" : "s");
+    } else {
+      for (size_t i = 0; i < args.size(); ++i)
+        if (conversionCost(call.args[i]->type, candidate.type(i)) < 0) {
+          text += ", whose argument " + utostr(i + 1) + " is no " + toString(call.args[i]->type);
+          break;
+        }
+    }
+    if (candidate.function)
+      error.note(candidate.function->range.Start, text, candidate.function->range);
+    else
+      error.note(SMLoc(), text);
+  }
+}
+
+} // namespace anysl::rsl

@@ -1,0 +1,374 @@
+//===-- frontends/rsl/SemaDecl.cpp - declarations and scopes ----------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Sema.h"
+
+#include "lib/STC/Shader.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+
+static constexpr WarningGroup UnusedVariable{"unused-variable", false};
+static constexpr WarningGroup UnusedButSet{"unused-but-set-variable", false};
+static constexpr WarningGroup UnusedFunction{"unused-function", false};
+static constexpr WarningGroup MissingDefault{"missing-default", true};
+static constexpr WarningGroup ReturnType{"return-type", true};
+static constexpr WarningGroup Shadow{"shadow", false};
+
+Sema::Sema(Ast &ast, DiagnosticEngine &diags, Options options)
+    : ast(ast), diags(diags), options(options) {}
+
+void Sema::check() {
+  scopes.emplace_back();
+  declareGlobals();
+  scopes.emplace_back();
+  for (const Ast::Item &item : ast.items) {
+    if (diags.reachedLimit())
+      return;
+    if (item.function)
+      checkFunction(*item.function);
+    else
+      checkShader(*item.shader);
+  }
+  if (options.isLibrary) {
+    for (ShaderDecl *decl : ast.shaders)
+      diags.error(decl->range.Start, "a library contains functions only").range(decl->range);
+    return;
+  }
+  // Headers define more than a shader uses; only the main file's own functions are worth a word.
+  for (FunctionDecl *decl : ast.functions)
+    if (!decl->isUsed && !ast.shaders.empty() &&
+        diags.sources().FindBufferContainingLoc(decl->range.Start) ==
+            diags.sources().getMainFileID())
+      diags.warning(decl->range.Start, UnusedFunction, "unused function '" + decl->name + "'")
+          .range(decl->range);
+}
+
+//===-- Scopes ----------------------------------------------------------------------------------//
+
+void Sema::declareGlobals() {
+  for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
+    auto *decl = ast.make<VarDecl>();
+    decl->kind = VarKind::Global;
+    decl->name = global.name;
+    decl->type = {typeKindOf(global.type), global.storage == stc::Storage::Varying, Type::NoArray};
+    decl->id = global.id;
+    scopes.back().variables[global.name] = decl;
+  }
+}
+
+void Sema::pushScope() {
+  scopes.emplace_back();
+  scopes.back().function = function;
+}
+
+void Sema::popScope() {
+  // In the order of the text, not of the hash table.
+  std::vector<const VarDecl *> decls;
+  for (const auto &entry : scopes.back().variables)
+    decls.push_back(entry.second);
+  llvm::sort(decls, [](const VarDecl *a, const VarDecl *b) {
+    return a->range.Start.getPointer() < b->range.Start.getPointer();
+  });
+  for (const VarDecl *decl : decls)
+    warnUnused(*decl);
+  scopes.pop_back();
+}
+
+void Sema::warnUnused(const VarDecl &decl) {
+  if (decl.kind != VarKind::Local || decl.isRead || decl.type.isError())
+    return;
+  if (decl.isAssigned)
+    diags
+        .warning(decl.range.Start, UnusedButSet,
+                 "variable '" + decl.name + "' is set but never read")
+        .range(decl.range);
+  else
+    diags.warning(decl.range.Start, UnusedVariable, "unused variable '" + decl.name + "'")
+        .range(decl.range);
+}
+
+void Sema::declare(VarDecl *decl) {
+  auto [entry, isNew] = scopes.back().variables.try_emplace(decl->name, decl);
+  if (!isNew && entry->second->kind != VarKind::Global) {
+    diags.error(decl->range.Start, "redefinition of '" + decl->name + "'")
+        .range(decl->range)
+        .note(entry->second->range.Start, "previously declared here", entry->second->range);
+    return;
+  }
+  entry->second = decl;
+  for (const Scope &scope : ArrayRef(scopes).drop_back())
+    if (auto outer = scope.variables.find(decl->name);
+        outer != scope.variables.end() && outer->second->kind != VarKind::Global &&
+        decl->kind == VarKind::Local && scope.function == function)
+      diags
+          .warning(decl->range.Start, Shadow,
+                   "'" + decl->name + "' hides another variable of this name")
+          .range(decl->range)
+          .note(outer->second->range.Start, "the hidden variable", outer->second->range);
+}
+
+/// The variable that a name means here, or null. `owner` is the function whose scope it is in.
+VarDecl *Sema::lookup(StringRef name, FunctionDecl **owner) {
+  for (Scope &scope : llvm::reverse(scopes)) {
+    auto found = scope.variables.find(name);
+    if (found == scope.variables.end())
+      continue;
+    if (owner)
+      *owner = scope.function;
+    return found->second;
+  }
+  return nullptr;
+}
+
+std::vector<StringRef> Sema::visibleNames() const {
+  std::vector<StringRef> names;
+  for (const Scope &scope : llvm::reverse(scopes))
+    for (const auto &entry : scope.variables)
+      names.push_back(entry.first());
+  names.push_back("PI");
+  // The order of a hash table must not decide what is suggested.
+  llvm::sort(names);
+  return names;
+}
+
+//===-- Shaders and functions -------------------------------------------------------------------//
+
+void Sema::checkShader(ShaderDecl &decl) {
+  for (ShaderDecl *other : ast.shaders) {
+    if (other == &decl)
+      break;
+    if (other->name == decl.name)
+      diags.error(decl.range.Start, "redefinition of shader '" + decl.name + "'")
+          .range(decl.range)
+          .note(other->range.Start, "previously defined here", other->range);
+  }
+  shader = &decl;
+  pushScope();
+  for (VarDecl *param : decl.params)
+    checkParam(*param);
+  pushScope();
+  for (Stmt *stmt : decl.body->body)
+    checkStmt(stmt);
+  popScope();
+  popScope();
+  shader = nullptr;
+}
+
+void Sema::checkParam(VarDecl &param) {
+  checkArrayLength(param);
+  if (!param.init) {
+    diags
+        .warning(param.range.Start, MissingDefault,
+                 "parameter '" + param.name + "' has no default; it is taken to be " +
+                     (param.type.kind == TypeKind::String ? "\"\"" : "0"))
+        .range(param.range);
+  } else {
+    checkInitialiser(param);
+    param.defaultVaries = param.init->type.varying;
+    if (param.type.varying && param.type.kind == TypeKind::String) {
+      diags.error(param.range.Start, "a string parameter cannot be varying").range(param.range);
+      param.type.varying = false;
+    }
+  }
+  if (param.type.isArray() && param.type.length == Type::AnyLength && !param.type.isError()) {
+    diags.error(param.range.Start, "array parameter '" + param.name + "' needs a length")
+        .range(param.range);
+    param.type.length = 1;
+  }
+  declare(&param);
+}
+
+void Sema::checkFunction(FunctionDecl &decl) {
+  if (options.isLibrary && !decl.outer)
+    matchLibraryFunction(decl);
+  SmallVector<FunctionDecl *, 2> &overloads = scopes.back().functions[decl.name];
+  for (FunctionDecl *other : overloads) {
+    bool same = other->result.kind == decl.result.kind && other->params.size() == decl.params.size();
+    for (size_t i = 0; same && i < decl.params.size(); ++i)
+      same = other->params[i]->type.kind == decl.params[i]->type.kind &&
+             other->params[i]->type.isArray() == decl.params[i]->type.isArray();
+    if (same)
+      diags.error(decl.range.Start, "redefinition of function '" + decl.name + "'")
+          .range(decl.range)
+          .note(other->range.Start, "previously defined here", other->range);
+  }
+  overloads.push_back(&decl);
+  FunctionDecl *outerFunction = std::exchange(function, &decl);
+  unsigned outerLoops = std::exchange(loops, 0);
+  unsigned outerIlluminances = std::exchange(illuminances, 0);
+  decl.isBeingChecked = true;
+  pushScope();
+  for (VarDecl *param : decl.params) {
+    checkArrayLength(*param);
+    if (param->init) {
+      diags.error(param->init->loc, "a function's parameter cannot have a default")
+          .range(param->init->range);
+      check(param->init);
+    }
+    declare(param);
+  }
+  pushScope();
+  for (Stmt *stmt : decl.body->body)
+    checkStmt(stmt);
+  popScope();
+  popScope();
+  if (decl.result.kind != TypeKind::Void && !alwaysReturns(decl.body))
+    diags
+        .warning(decl.body->end, ReturnType,
+                 "function '" + decl.name + "' may end without returning a value; it is then 0")
+        .note(decl.range.Start, "declared here", decl.range);
+  decl.isBeingChecked = false;
+  function = outerFunction;
+  loops = outerLoops;
+  illuminances = outerIlluminances;
+  // What the inner function sees of the outside, the outer one's value depends on.
+  if (function && decl.isVarying)
+    function->isVarying = true;
+}
+
+/// Finds the built-in that a library's function implements: name, result and arguments must agree, where
+/// points, vectors and normals count as one.
+void Sema::matchLibraryFunction(FunctionDecl &decl) {
+  ArrayRef<const Builtin *> overloads = builtinsNamed(decl.name);
+  if (overloads.empty())
+    return;
+  auto agree = [](TypeKind a, TypeKind b) {
+    return a == b || (Type{a}.isGeometric() && Type{b}.isGeometric());
+  };
+  for (const Builtin *builtin : overloads) {
+    bool same = agree(builtin->result, decl.result.kind) &&
+                builtin->arguments.size() == decl.params.size();
+    for (size_t i = 0; same && i < decl.params.size(); ++i)
+      same = agree(builtin->arguments[i].type, decl.params[i]->type.kind) &&
+             builtin->arguments[i].isOut == decl.params[i]->isOutput &&
+             !decl.params[i]->type.isArray() && !decl.params[i]->length;
+    // Overloads that only fill in operands (fresnel with five arguments) are not operators themselves.
+    for (const BuiltinOperand &operand : builtin->operands)
+      same &= operand.source <= BuiltinOperand::Global;
+    if (!same)
+      continue;
+    decl.defines = builtin;
+    decl.isUsed = true;
+    for (FunctionDecl *other : ast.functions) {
+      if (other == &decl)
+        break;
+      if (other->defines && other->defines->op == builtin->op)
+        diags.error(decl.range.Start, "operator '" + stc::info(builtin->op).name + "' is defined twice")
+            .range(decl.range)
+            .note(other->range.Start, "first defined here", other->range);
+    }
+    return;
+  }
+  auto error = diags.error(decl.range.Start, "no built-in '" + decl.name + "' has this signature");
+  error.range(decl.range);
+  for (const Builtin *builtin : overloads)
+    error.note(SMLoc(), "candidate: " + rsl::signature(*builtin));
+}
+
+//===-- Variables -------------------------------------------------------------------------------//
+
+void Sema::checkArrayLength(VarDecl &decl) {
+  if (!decl.length)
+    return;
+  decl.length = check(decl.length, TypeKind::Float);
+  if (decl.length->type.isError()) {
+    decl.type.length = 1;
+    return;
+  }
+  std::optional<double> value = constant(decl.length);
+  if (!value) {
+    diags.error(decl.length->loc, "the length of an array must be a constant number")
+        .range(decl.length->range);
+    decl.type.length = 1;
+  } else if (*value < 1 || *value > stc::maxArrayLength || *value != static_cast<int>(*value)) {
+    diags
+        .error(decl.length->loc, "the length of an array must be an integer from 1 to " +
+                                     Twine(stc::maxArrayLength))
+        .range(decl.length->range);
+    decl.type.length = 1;
+  } else {
+    decl.type.length = static_cast<int>(*value);
+  }
+}
+
+void Sema::checkVariable(VarDecl &decl) {
+  checkArrayLength(decl);
+  // The value is looked at before the name is there: `float s = s` means the outer s.
+  if (decl.init)
+    checkInitialiser(decl);
+  if (decl.type.length == Type::AnyLength) {
+    diags
+        .error(decl.range.Start,
+               "array '" + decl.name + "' needs a length; resizable arrays are not supported")
+        .range(decl.range);
+    decl.type.length = 1;
+  }
+  declare(&decl);
+}
+
+void Sema::checkInitialiser(VarDecl &decl) {
+  std::string what = ("initialising '" + decl.name + "'").str();
+  if (decl.type.isArray()) {
+    auto *list = dyn_cast<ListExpr>(decl.init);
+    if (!list) {
+      decl.init = check(decl.init);
+      if (decl.type.length == Type::AnyLength && decl.init->type.isArray())
+        decl.type.length = decl.init->type.length;
+      decl.init = convert(decl.init, decl.type, what);
+    } else {
+      if (decl.type.length == Type::AnyLength && !list->elements.empty())
+        decl.type.length = static_cast<int>(list->elements.size());
+      decl.init = checkList(*list, decl.type);
+    }
+  } else {
+    decl.init = checkAs(decl.init, decl.type, what);
+  }
+  if (checkStorage(decl.init, decl.type.varying, what + " of uniform type"))
+    decl.isAssigned = true;
+}
+
+void Sema::checkExtern(ExternStmt &stmt) {
+  for (VarDecl *written : stmt.variables) {
+    if (written->init)
+      diags.error(written->init->loc, "an extern variable cannot be initialised here")
+          .range(written->init->range);
+    // The name is looked for outside of the function that the declaration stands in.
+    VarDecl *found = nullptr;
+    for (Scope &scope : llvm::reverse(scopes)) {
+      if (scope.function == function && function)
+        continue;
+      if (auto entry = scope.variables.find(written->name); entry != scope.variables.end()) {
+        found = entry->second;
+        break;
+      }
+    }
+    if (!found) {
+      diags
+          .error(written->range.Start, "no '" + written->name + "' outside of this function" +
+                                           didYouMean(written->name, visibleNames()))
+          .range(written->range);
+      continue;
+    }
+    if (found->type.kind != written->type.kind) {
+      auto error = diags.error(written->range.Start, "'" + written->name + "' is of type '" +
+                                                         toString(found->type) + "', not '" +
+                                                         toString(written->type) + "'");
+      error.range(written->range);
+      if (found->range.isValid())
+        error.note(found->range.Start, "declared here", found->range);
+    }
+    if (found->type.varying)
+      useVarying();
+    if (function)
+      function->usesOuter = true;
+    scopes.back().variables[written->name] = found;
+  }
+}
+
+} // namespace anysl::rsl

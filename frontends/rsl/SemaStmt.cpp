@@ -1,0 +1,187 @@
+//===-- frontends/rsl/SemaStmt.cpp - statements -----------------------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Sema.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+
+static constexpr WarningGroup UnusedValue{"unused-value", false};
+
+bool alwaysReturns(const Stmt *stmt) {
+  if (!stmt)
+    return false;
+  if (stmt->kind == StmtKind::Return)
+    return true;
+  if (auto *block = dyn_cast<BlockStmt>(stmt))
+    return llvm::any_of(block->body, alwaysReturns);
+  if (auto *branch = dyn_cast<IfStmt>(stmt))
+    return alwaysReturns(branch->thenBody) && alwaysReturns(branch->elseBody);
+  return false;
+}
+
+void Sema::checkBlock(BlockStmt &block) {
+  pushScope();
+  for (Stmt *stmt : block.body)
+    checkStmt(stmt);
+  popScope();
+}
+
+void Sema::checkStmt(Stmt *stmt) {
+  if (!stmt)
+    return;
+  switch (stmt->kind) {
+  case StmtKind::Empty:
+    break;
+  case StmtKind::Block:
+    checkBlock(*cast<BlockStmt>(stmt));
+    break;
+  case StmtKind::Declaration:
+    for (VarDecl *decl : cast<DeclarationStmt>(stmt)->variables)
+      checkVariable(*decl);
+    break;
+  case StmtKind::Extern:
+    checkExtern(*cast<ExternStmt>(stmt));
+    break;
+  case StmtKind::Expression: {
+    auto *statement = cast<ExpressionStmt>(stmt);
+    statement->expr = check(statement->expr);
+    if (!statement->expr->hasEffects && !isa<CallExpr>(statement->expr) &&
+        !statement->expr->type.isError())
+      diags.warning(statement->expr->loc, UnusedValue, "the value of this expression is not used")
+          .range(statement->expr->range);
+    break;
+  }
+  case StmtKind::If: {
+    auto *branch = cast<IfStmt>(stmt);
+    branch->condition = checkCondition(branch->condition);
+    checkStmt(branch->thenBody);
+    checkStmt(branch->elseBody);
+    break;
+  }
+  case StmtKind::While:
+  case StmtKind::For:
+    checkLoop(*cast<LoopStmt>(stmt));
+    break;
+  case StmtKind::Break:
+  case StmtKind::Continue:
+    checkJump(*cast<JumpStmt>(stmt));
+    break;
+  case StmtKind::Return:
+    checkReturn(*cast<ReturnStmt>(stmt));
+    break;
+  case StmtKind::Illuminance:
+  case StmtKind::Illuminate:
+  case StmtKind::Solar:
+    checkLight(*cast<LightStmt>(stmt));
+    break;
+  case StmtKind::Function:
+    checkFunction(*cast<FunctionStmt>(stmt)->function);
+    break;
+  }
+}
+
+void Sema::checkLoop(LoopStmt &loop) {
+  pushScope(); // of a variable declared in the head
+  checkStmt(loop.init);
+  if (loop.condition)
+    loop.condition = checkCondition(loop.condition);
+  if (loop.step)
+    loop.step = check(loop.step);
+  ++loops;
+  checkStmt(loop.body);
+  --loops;
+  popScope();
+}
+
+void Sema::checkJump(JumpStmt &jump) {
+  StringRef word = jump.kind == StmtKind::Break ? "break" : "continue";
+  if (jump.count) {
+    jump.count = check(jump.count, TypeKind::Float);
+    std::optional<double> levels = constant(jump.count);
+    if (!levels || *levels < 1 || *levels > 1000 || *levels != static_cast<unsigned>(*levels)) {
+      if (!jump.count->type.isError())
+        diags.error(jump.count->loc, "'" + word + "' takes a constant positive number of loops")
+            .range(jump.count->range);
+      return;
+    }
+    jump.levels = static_cast<unsigned>(*levels);
+  }
+  if (!loops)
+    diags.error(jump.loc, "'" + word + "' outside of a loop");
+  else if (jump.levels > loops)
+    diags.error(jump.loc, "'" + word + " " + Twine(jump.levels) + "' inside of only " +
+                              Twine(loops) + (loops == 1 ? " loop" : " loops"));
+}
+
+void Sema::checkReturn(ReturnStmt &stmt) {
+  Type result = function ? function->result : Type{TypeKind::Void};
+  if (!stmt.value) {
+    if (result.kind != TypeKind::Void)
+      diags.error(stmt.loc, "function '" + function->name + "' must return a value of type '" +
+                                toString(result) + "'")
+          .note(function->range.Start, "declared here", function->range);
+    return;
+  }
+  if (result.kind == TypeKind::Void) {
+    auto error = diags.error(stmt.value->loc,
+                             function ? ("function '" + function->name + "' returns no value").str()
+                                      : std::string("a shader returns no value"));
+    error.range(stmt.value->range);
+    if (function)
+      error.note(function->range.Start, "declared here", function->range);
+    check(stmt.value);
+    return;
+  }
+  stmt.value = checkAs(stmt.value, result, "returning from '" + function->name + "'");
+  if (function->resultHasStorage && !function->result.varying)
+    checkStorage(stmt.value, false, "returning from uniform function '" + function->name + "'");
+}
+
+/// Sorts the arguments of illuminance([category,] P [, axis, angle]), illuminate(P [, axis, angle]) and
+/// solar([axis, angle]).
+void Sema::checkLight(LightStmt &stmt) {
+  StringRef word = stmt.kind == StmtKind::Illuminance  ? "illuminance"
+                   : stmt.kind == StmtKind::Illuminate ? "illuminate"
+                                                       : "solar";
+  if (stmt.kind != StmtKind::Illuminance && shader && shader->type != ShaderType::Light)
+    diags.error(stmt.loc, "'" + word + "' belongs in a light shader, not in a " + nameOf(shader->type));
+  ArrayRef<Expr *> args = stmt.args;
+  if (stmt.kind == StmtKind::Illuminance && !args.empty() &&
+      probe(args[0]).is(TypeKind::String)) {
+    stmt.category = check(args[0]);
+    args = args.drop_front();
+  }
+  bool hasPosition = stmt.kind != StmtKind::Solar;
+  if (hasPosition && !args.empty()) {
+    stmt.position = checkAs(args[0], {TypeKind::Point, true}, "the position for '" + word + "'");
+    args = args.drop_front();
+  }
+  if ((hasPosition && !stmt.position) || (!args.empty() && args.size() < 2)) {
+    diags.error(stmt.loc, "'" + word + "' takes " +
+                              (hasPosition ? "a position and, optionally, an axis and an angle"
+                                           : "an axis and an angle, or nothing"));
+    for (Expr *arg : args)
+      check(arg);
+  } else if (!args.empty()) {
+    stmt.axis = checkAs(args[0], {TypeKind::Vector, true}, "the axis for '" + word + "'");
+    stmt.angle = checkAs(args[1], {TypeKind::Float, true}, "the angle for '" + word + "'");
+    // What follows are message names and variables that later renderers fill in.
+    if (args.size() > 2)
+      diags.error(args[2]->loc, "'" + word + "' takes no more arguments").range(args[2]->range);
+  }
+  useVarying();
+  bool isLoop = stmt.kind == StmtKind::Illuminance;
+  loops += isLoop;
+  illuminances += isLoop;
+  checkStmt(stmt.body);
+  loops -= isLoop;
+  illuminances -= isLoop;
+}
+
+} // namespace anysl::rsl
