@@ -45,7 +45,7 @@ const StringRef effectNames[] = {
 std::optional<Default> readDefault(const AnyslInstance *instance, const AnyslParamInfo &param) {
   if (!instance)
     return std::nullopt;
-  size_t count = anysl_type_components(param.type) * std::max(param.array_length, 1u);
+  size_t count = size_t(anysl_type_components(param.type)) * std::max(param.array_length, 1u);
   if (param.type == ANYSL_STRING) {
     std::vector<const char *> texts(count);
     if (anysl_instance_get_strings(instance, param.name, texts.data(), count))

@@ -7,6 +7,7 @@
 
 #include "tools/anysl-shade/Output.h"
 #include "tools/anysl-shade/ImageModule.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <dlfcn.h>
@@ -41,8 +42,8 @@ std::string jsonPoint(const Result &result, size_t point, bool isDouble) {
     return jsonElement(values, result.components, isDouble);
   std::string text = "[";
   for (uint32_t e = 0; e < result.elements; ++e)
-    text +=
-        (e ? "," : "") + jsonElement(values + e * result.components, result.components, isDouble);
+    text += (e ? "," : "") +
+            jsonElement(values + size_t(e) * result.components, result.components, isDouble);
   return text + "]";
 }
 
@@ -88,10 +89,9 @@ void printJson(const Options &options, const std::vector<Result> &results, bool 
 }
 
 void writeImage(const Options &options, const std::vector<Result> &results) {
-  const Result *color = nullptr;
-  for (const Result &result : results)
-    if (result.name == "Ci")
-      color = &result;
+  // Grid adds Ci to the results of a run that writes an image.
+  auto color = std::find_if(results.begin(), results.end(),
+                            [](const Result &result) { return result.name == "Ci"; });
   std::string problem;
   imageWriter()(options.image.c_str(), int(options.gridWidth), int(options.gridHeight),
                 color->values.data(), &problem);
