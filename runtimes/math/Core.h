@@ -49,14 +49,38 @@ ANYSL_TIER T clampKeepNaN(T x, T low, T high) {
   return x > high ? high : x;
 }
 
-/// The polynomial with coefficients C (lowest degree first) at x, by Horner's rule. A recursion,
-/// not a loop, so that nothing has to be unrolled before widening.
-template <int First = 0, class T, int N>
+/// How a kernel multiplies and adds.
+enum class Fusion {
+  Never,  ///< two roundings, on every instruction set
+  AsFits, ///< one rounding where the processor has the instruction: only where the bits of the
+          ///< result do not depend on it, as they do not when a result is correctly rounded
+  Always, ///< one rounding; a call of the C library on a processor without the instruction
+};
+
+/// a·b + c
+template <Fusion F, class T>
+ANYSL_TIER T mulAdd(T a, T b, T c) {
+  if constexpr (F == Fusion::Never) {
+    return a * b + c;
+  } else if constexpr (F == Fusion::AsFits) {
+#pragma clang fp contract(on)
+    return a * b + c;
+  } else if constexpr (sizeof(T) == 4) {
+    return __builtin_fmaf(a, b, c);
+  } else {
+    return __builtin_fma(a, b, c);
+  }
+}
+
+/// The polynomial with coefficients C (lowest degree first) at x, by Horner's rule, taking every
+/// `Step`th coefficient from `First` on. A recursion, not a loop, so that nothing has to be
+/// unrolled before widening.
+template <Fusion F = Fusion::Never, int First = 0, int Step = 1, class T, int N>
 ANYSL_TIER T horner(const T (&c)[N], T x) {
-  if constexpr (First == N - 1)
+  if constexpr (First + Step >= N)
     return c[First];
   else
-    return horner<First + 1>(c, x) * x + c[First];
+    return mulAdd<F>(horner<F, First + Step, Step>(c, x), x, c[First]);
 }
 
 /// x + RoundShift has the integer nearest to x (ties to even) in its low bits, |x| <= 2^51.

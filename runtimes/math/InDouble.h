@@ -27,6 +27,7 @@ namespace anysl::tier {
 /// Polynomials to about 2^-28: results within 0.53 ULP.
 struct ShortPolynomials {
   static constexpr bool exact = false;
+  static constexpr Fusion fusion = Fusion::Never;
   static constexpr auto &sinPi = SinPiU10;
   static constexpr auto &sin = SinU10;
   static constexpr auto &cos = CosU10;
@@ -48,6 +49,7 @@ struct ShortPolynomials {
 /// Polynomials to about 2^-55.
 struct LongPolynomials {
   static constexpr bool exact = true;
+  static constexpr Fusion fusion = Fusion::AsFits;
   static constexpr auto &sinPi = SinPiCr;
   static constexpr auto &sin = SinCr;
   static constexpr auto &cos = CosCr;
@@ -79,13 +81,13 @@ template <class C>
 ANYSL_TIER double sinNear(double r) {
   double z = r * r;
   if constexpr (C::exact)
-    return r + r * (z * horner(C::sinPi, z));
-  return r * (z * horner(C::sinPi, z) + 1);
+    return mulAdd<C::fusion>(r * z, horner<C::fusion>(C::sinPi, z), r);
+  return r * mulAdd<C::fusion>(z, horner<C::fusion>(C::sinPi, z), 1.0);
 }
 
 template <class C>
 ANYSL_TIER float sinInDouble(float x) {
-  Turns t = turnsNear<typename C::Pi>(x);
+  Turns t = turnsNear<typename C::Pi, C::fusion>(x);
   if (__builtin_expect(magnitude(x) >= HugeArgument, 0)) {
     t = turnsHuge(x, 1, 0);
     t.r *= Pi;
@@ -96,7 +98,7 @@ ANYSL_TIER float sinInDouble(float x) {
 
 template <class C>
 ANYSL_TIER float cosInDouble(float x) {
-  Turns t = turnsNear<typename C::Pi, true>(x);
+  Turns t = turnsNear<typename C::Pi, C::fusion, true>(x);
   if (__builtin_expect(magnitude(x) >= HugeArgument, 0)) {
     t = turnsHuge(x, 1, -0.5);
     t.r *= Pi;
@@ -106,14 +108,14 @@ ANYSL_TIER float cosInDouble(float x) {
 
 template <class C>
 ANYSL_TIER float tanInDouble(float x) {
-  Turns t = turnsNear<typename C::HalfPi>(x);
+  Turns t = turnsNear<typename C::HalfPi, C::fusion>(x);
   if (__builtin_expect(magnitude(x) >= HugeArgument, 0)) {
     t = turnsHuge(x, 2, 0);
     t.r *= Pi / 2;
   }
   double z = t.r * t.r;
-  double s = t.r * (z * horner(C::sin, z) + 1);
-  double c = z * (z * horner(C::cos, z) - 0.5) + 1;
+  double s = t.r * mulAdd<C::fusion>(z, horner<C::fusion>(C::sin, z), 1.0);
+  double c = mulAdd<C::fusion>(z, mulAdd<C::fusion>(z, horner<C::fusion>(C::cos, z), -0.5), 1.0);
   bool odd = t.n & 1;
   return float((odd ? -c : s) / (odd ? s : c));
 }
@@ -130,7 +132,7 @@ ANYSL_TIER HalfAngle asinReduced(double a) {
   bool upper = a > 0.5;
   double z = upper ? 0.5 - 0.5 * a : a * a;
   double s = upper ? squareRoot(z) : a;
-  return {s + s * (z * horner(C::asin, z)), upper};
+  return {mulAdd<C::fusion>(s * z, horner<C::fusion>(C::asin, z), s), upper};
 }
 
 template <class C>
@@ -162,7 +164,7 @@ ANYSL_TIER double atanQuadrant(double y, double x) {
   double bottom = turned ? small + large : large;
   double t = top / (bottom == 0 ? 1 : bottom);
   double z = t * t;
-  double low = t * (z * horner(C::atan, z));
+  double low = t * (z * horner<C::fusion>(C::atan, z));
   // The angle is base ± (t + low); the sums are exact enough when the large term comes last.
   double base = turned ? Pi / 4 : 0;
   double baseLow = turned ? PiLow / 4 : 0;
@@ -205,14 +207,14 @@ ANYSL_TIER Exponent exponentOf(double x) {
   double t = y + RoundShift;
   double n = t - RoundShift;
   if constexpr (C::exact)
-    return {(x - n * Ln2High) - n * Ln2Low, bitsOf(t)};
+    return {mulAdd<C::fusion>(-n, Ln2Low, mulAdd<C::fusion>(-n, Ln2High, x)), bitsOf(t)};
   return {y - n, bitsOf(t)};
 }
 
 /// 2^n·(1 + r·P(r)); a NaN in r stays one.
 template <class C>
 ANYSL_TIER double expReduced(Exponent e) {
-  double y = e.r * horner(C::exp2, e.r) + 1;
+  double y = mulAdd<C::fusion>(e.r, horner<C::fusion>(C::exp2, e.r), 1.0);
   return fromBits(bitsOf(y) + (e.bits << 52));
 }
 
@@ -236,23 +238,18 @@ ANYSL_TIER float exp2InDouble(float x) {
 struct Hyperbolic {
   double sinh, cosh;
 };
-template <int First, class T, int N>
-ANYSL_TIER T hornerEveryOther(const T (&c)[N], T z) {
-  if constexpr (First + 2 >= N)
-    return c[First];
-  else
-    return hornerEveryOther<First + 2>(c, z) * z + c[First];
-}
 template <class C>
 ANYSL_TIER Hyperbolic hyperbolic(double a) {
   Exponent e = exponentOf<C>(a);
   double z = e.r * e.r;
-  double even = hornerEveryOther<0>(C::expm1, z), odd = hornerEveryOther<1>(C::expm1, z);
+  double even = horner<C::fusion, 0, 2>(C::expm1, z), odd = horner<C::fusion, 1, 2>(C::expm1, z);
   double up = fromBits((e.bits << 52) + 0x3fe0000000000000ull);
   double down = fromBits(0x3fe0000000000000ull - (e.bits << 52));
   double difference = up - down, sum = up + down;
-  return {difference + e.r * (sum * even + e.r * (difference * odd)),
-          sum + e.r * (difference * even + e.r * (sum * odd))};
+  odd *= e.r;
+  constexpr Fusion F = C::fusion;
+  return {mulAdd<F>(e.r, mulAdd<F>(sum, even, difference * odd), difference),
+          mulAdd<F>(e.r, mulAdd<F>(difference, even, sum * odd), sum)};
 }
 
 template <class C>
@@ -284,7 +281,8 @@ ANYSL_TIER double logNear(double m) {
     double s = f / (2 + f);
     double z = s * s;
     double half = 0.5 * f * f;
-    return f - (half - s * (half + 2 * (z * horner(AtanhCr, z))));
+    double tail = mulAdd<C::fusion>(2 * z, horner<C::fusion>(AtanhCr, z), half);
+    return f - mulAdd<C::fusion>(-s, tail, half);
   }
   double g = f * f;
   return f + g * (f * horner(LogU10, f) - 0.5);
@@ -307,7 +305,8 @@ ANYSL_TIER float logInDouble(float x) {
 template <class C>
 ANYSL_TIER float log2InDouble(float x) {
   Decomposed d = decompose(x);
-  return isPositiveFinite(x) ? float(d.exponent + logNear<C>(d.m) * Log2E) : logSpecial(x);
+  return isPositiveFinite(x) ? float(mulAdd<C::fusion>(logNear<C>(d.m), Log2E, d.exponent))
+                             : logSpecial(x);
 }
 
 template <class C>
@@ -360,7 +359,7 @@ ANYSL_TIER float cbrtInDouble(float x) {
   UInt64 e = (bits >> 52) - 1023 + 150;
   UInt64 q = (e * 21846) >> 16;
   UInt64 j = e - 3 * q;
-  double r = horner(C::inverseCbrt, m);
+  double r = horner<C::fusion>(C::inverseCbrt, m);
   double h = 1 - m * r * r * r;
   if constexpr (C::exact)
     r += r * (h * ((h * (14.0 / 81) + 2.0 / 9) * h + 1.0 / 3));

@@ -25,19 +25,20 @@ inline constexpr float HugeArgument = 0x1p22f;
 /// r = x − n·unit for |x| < HugeArgument: high has so few bits that n·high is exact and so is its
 /// difference from x (Cody and Waite). n is the integer nearest x/unit, or with `half` the nearest
 /// odd multiple of a half.
-template <class Unit, bool Half = false>
+template <class Unit, Fusion F, bool Half = false>
 ANYSL_TIER Turns turnsNear(double x) {
-  double n = x * Unit::inverse;
+  double t;
   if constexpr (Half)
-    n -= 0.5;
-  double t = n + RoundShift;
-  n = t - RoundShift;
+    t = mulAdd<F>(x, Unit::inverse, -0.5) + RoundShift;
+  else
+    t = mulAdd<F>(x, Unit::inverse, RoundShift);
+  double n = t - RoundShift;
   if constexpr (Half)
     n += 0.5;
-  double r = x - n * Unit::high;
-  r -= n * Unit::middle;
+  double r = mulAdd<F>(-n, Unit::high, x);
+  r = mulAdd<F>(-n, Unit::middle, r);
   if constexpr (Unit::low != 0)
-    r -= n * Unit::low;
+    r = mulAdd<F>(-n, Unit::low, r);
   return {r, bitsOf(t)};
 }
 
