@@ -89,14 +89,15 @@ void noteOperators(Shader &shader) {
       continue;
     shader.report.ops.push_back(op.name.str());
     shader.effects |= 1u << unsigned(op.effect);
-    shader.services |= 1u << unsigned(op.service);
+    if (op.service != stc::Service::NoService)
+      shader.services |= 1u << unsigned(op.service);
   }
 #define STC_EFFECT(id, name, doc)                                                                  \
   if (shader.effects >> id & 1)                                                                    \
     shader.report.effects.push_back(#name);
 #include "lib/STC/Effects.def"
 #define STC_SERVICE(id, name, doc)                                                                 \
-  if (id != 0 && shader.services >> id & 1)                                                        \
+  if (shader.services >> id & 1)                                                        \
     shader.report.services.push_back(#name);
 #include "lib/STC/Services.def"
   for (const stc::GlobalInfo &global : shader.info.globals) {

@@ -54,6 +54,10 @@ public:
       checkGlobal(global);
     for (const Function &function : module)
       checkFunction(function);
+    // Calls are judged by their callees' signatures, so those must be right first.
+    if (problems.empty())
+      for (const Function &function : module)
+        checkBody(function);
     return std::move(problems);
   }
 
@@ -69,6 +73,8 @@ private:
   void checkGlobal(const GlobalVariable &global);
   void checkFunction(const Function &function);
   void checkDefinition(const Function &function);
+  void checkBody(const Function &function);
+  void findShader(const Function &function);
   void checkInstruction(const Instruction &instruction);
   void checkCall(const CallInst &call);
   void checkOperand(const CallInst &call, StringRef callee, const OpParam &param,
@@ -135,15 +141,19 @@ void ModuleVerifier::checkFunction(const Function &function) {
     problem({}, "operator '" + name + "' must have external linkage");
 }
 
-void ModuleVerifier::checkDefinition(const Function &function) {
-  StringRef name = function.getName();
+/// Finds the shader whose body or init a function is.
+void ModuleVerifier::findShader(const Function &function) {
   shader = nullptr;
   for (const ShaderInfo &candidate : shaders)
     if (&function == candidate.body || &function == candidate.init) {
       shader = &candidate;
       isInit = &function == candidate.init;
     }
+}
 
+void ModuleVerifier::checkDefinition(const Function &function) {
+  StringRef name = function.getName();
+  findShader(function);
   const OpInfo *op = opOfSymbol(name);
   if (op && op->purity == Purity::Structural)
     return problem({}, "operator '" + name + "' belongs to the linker and cannot be defined");
@@ -158,11 +168,16 @@ void ModuleVerifier::checkDefinition(const Function &function) {
                        function.getFunctionType()->params())
     return problem({}, "function '" + name + "' does not have the parameters that '!" +
                            metadata::signature + "' declares");
-  signature = std::move(*declared);
   llvm::Type *result = function.getReturnType();
   if (!result->isVoidTy() && !result->isIntegerTy(1) && !result->isIntegerTy(32))
-    return problem({}, "function '" + name + "' gives neither nothing nor a test nor an index");
+    problem({}, "function '" + name + "' gives neither nothing nor a test nor an index");
+}
 
+void ModuleVerifier::checkBody(const Function &function) {
+  if (function.isDeclaration())
+    return;
+  findShader(function);
+  signature = *signatureOf(function);
   for (const Instruction &instruction : instructions(function))
     checkInstruction(instruction);
 }
