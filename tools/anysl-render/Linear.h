@@ -51,16 +51,17 @@ inline double length(Vec3d v) { return std::sqrt(dot(v, v)); }
 template <typename T> T maxAbs(Vec3<T> v) {
   return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
 }
-/// A vector of unit length; the zero vector stays. The scaling keeps squares from overflowing.
-inline Vec3d normalized(Vec3d v) {
-  double scale = maxAbs(v);
-  if (!(scale > 0) || !std::isfinite(scale))
-    return Vec3d();
-  v = v * (1 / scale);
-  return v * (1 / length(v));
-}
 template <typename T> bool isFinite(Vec3<T> v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+/// A vector of unit length, or zero where v has no direction. The scaling keeps squares from
+/// overflowing.
+inline Vec3d normalized(Vec3d v) {
+  double scale = maxAbs(v);
+  if (!(scale > 0) || !isFinite(v))
+    return Vec3d();
+  v = {v.x / scale, v.y / scale, v.z / scale};
+  return v * (1 / length(v));
 }
 template <typename T> Vec3<T> lerp(Vec3<T> a, Vec3<T> b, T t) { return a * (1 - t) + b * t; }
 

@@ -1,0 +1,209 @@
+//===-- test/unit/render/GeometryTest.cpp - surfaces, rays and their starts --------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/Host.h"
+#include "tools/anysl-render/RibReader.h"
+
+#include <catch2/catch.hpp>
+
+using namespace anysl::render;
+
+namespace {
+
+struct TestScene {
+  explicit TestScene(const std::string &rib) {
+    auto file = std::make_shared<SourceFile>();
+    file->name = "test.rib";
+    file->text = rib;
+    Warnings warnings;
+    description = readRib(file, warnings).at(0);
+    groups.resize(description.shapes.size());
+    geometry = std::make_unique<Geometry>(description, groups);
+  }
+  Hit shoot(const Ray &ray, unsigned mask = CameraRays) const {
+    RTCRayHit query;
+    query.ray = {ray.origin.x, ray.origin.y, ray.origin.z, ray.near, ray.direction.x, ray.direction.y,
+                 ray.direction.z, 0, ray.far, mask, 0, 0};
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    geometry->intersect<1>(nullptr, query, false);
+    return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID};
+  }
+  SceneDescription description;
+  std::vector<uint32_t> groups;
+  std::unique_ptr<Geometry> geometry;
+};
+
+Vec3d randomDirection(uint32_t seed) {
+  for (uint32_t k = 0;; ++k) {
+    Vec3d d(unitNumber(hash(seed, 3 * k)) * 2 - 1, unitNumber(hash(seed, 3 * k + 1)) * 2 - 1,
+            unitNumber(hash(seed, 3 * k + 2)) * 2 - 1);
+    if (dot(d, d) <= 1 && dot(d, d) > 0.01)
+      return normalized(d);
+  }
+}
+
+/// Shoots at an object, starts a second ray from each hit into the outer half space and counts how
+/// often it meets the convex object that it starts from.
+void checkRestarts(const std::string &shape, double scale) {
+  std::string s = std::to_string(scale);
+  TestScene scene("WorldBegin Translate 0 0 " + std::to_string(4 * scale) + " Scale " + s + " " + s +
+                  " " + s + " Rotate 30 1 2 3 " + shape + " WorldEnd");
+  int starts = 0, falseHits = 0;
+  for (uint32_t i = 0; i < 100000; ++i) {
+    Ray ray;
+    Vec3d aim(unitNumber(hash(i, 1)) - 0.5, unitNumber(hash(i, 2)) - 0.5, 4);
+    ray.direction = Vec3f(normalized(aim));
+    Hit hit = scene.shoot(ray);
+    if (!hit.isHit())
+      continue;
+    SurfacePoint point;
+    scene.geometry->evaluate(hit, ray.origin, ray.direction, 0, point);
+    RayStart start{Vec3f(point.frame.P), Vec3f(point.frame.normal), point.offset};
+    Vec3d direction = randomDirection(i);
+    if (dot(direction, point.frame.normal) < 0)
+      direction = -direction;
+    // Grazing directions are the hard ones.
+    if (i % 2)
+      direction = normalized(direction - point.frame.normal * (dot(direction, point.frame.normal) * 0.9999));
+    // Rounding may tip a tangent to the inner side.
+    if (dot(Vec3d(Vec3f(direction)), point.frame.normal) < 1e-6)
+      continue;
+    Ray second;
+    REQUIRE(traceRay(start, start.P, Vec3f(direction), 0, second));
+    ++starts;
+    falseHits += scene.shoot(second).isHit();
+  }
+  INFO(shape << " at scale " << scale);
+  CHECK(starts > 20000);
+  CHECK(falseHits == 0);
+}
+
+} // namespace
+
+TEST_CASE("rays that leave a sphere do not meet it at any scale", "[geometry]") {
+  for (double scale : {1.0, 1e2, 1e4, 1e6})
+    checkRestarts("Sphere 1 -1 1 360", scale);
+}
+
+TEST_CASE("rays that leave a cube do not meet it at any scale", "[geometry]") {
+  for (double scale : {1.0, 1e2, 1e4, 1e6})
+    checkRestarts("PointsPolygons [4 4 4 4 4 4] "
+                  "[0 2 3 1  4 5 7 6  0 1 5 4  2 6 7 3  0 4 6 2  1 3 7 5] "
+                  "\"P\" [-1 -1 -1  1 -1 -1  -1 1 -1  1 1 -1  -1 -1 1  1 -1 1  -1 1 1  1 1 1]",
+                  scale);
+}
+
+TEST_CASE("rays that start on a large floor near the eye do not meet it", "[geometry]") {
+  TestScene scene("WorldBegin Polygon \"P\" [-1000 -0.01 -1000  1000 -0.01 -1000  1000 -0.01 1000  "
+                  "-1000 -0.01 1000] WorldEnd");
+  int falseHits = 0;
+  for (uint32_t i = 0; i < 20000; ++i) {
+    Ray ray;
+    ray.direction = Vec3f(normalized(Vec3d(unitNumber(hash(i, 1)) - 0.5, -0.5, unitNumber(hash(i, 2)))));
+    Hit hit = scene.shoot(ray);
+    REQUIRE(hit.isHit());
+    SurfacePoint point;
+    scene.geometry->evaluate(hit, ray.origin, ray.direction, 0, point);
+    RayStart start{Vec3f(point.frame.P), Vec3f(point.frame.normal), point.offset};
+    Vec3d up = randomDirection(i);
+    up.y = std::fabs(up.y) * 1e-3;
+    Ray second;
+    REQUIRE(traceRay(start, start.P, Vec3f(up), 0, second));
+    falseHits += scene.shoot(second).isHit();
+  }
+  CHECK(falseHits == 0);
+}
+
+TEST_CASE("a camera far from the world's origin sees as exactly as one near it", "[geometry]") {
+  TestScene scene("Translate 0 0 5 Translate -10000000 -20000000 30000000 WorldBegin "
+                  "Translate 10000000 20000000 -30000000 Sphere 1 -1 1 360 WorldEnd");
+  Ray ray;
+  ray.direction = {0, 0, 1};
+  Hit hit = scene.shoot(ray);
+  REQUIRE(hit.isHit());
+  CHECK(hit.t == 4.0f);
+}
+
+TEST_CASE("packets find what single rays find", "[geometry]") {
+  TestScene scene("WorldBegin Translate 0 0 4 Sphere 1 -0.5 1 270 Translate 1.5 0 0 Cylinder 0.5 -1 1 360 "
+                  "Translate -3 0 0 Polygon \"P\" [-0.5 -1 0  0.5 -1 0  0 1 0.5] WorldEnd");
+  for (uint32_t group = 0; group < 64; ++group) {
+    RTCRayHit16 packet = {};
+    alignas(64) int valid[16];
+    Ray rays[16];
+    for (uint32_t i = 0; i < 16; ++i) {
+      rays[i].direction = Vec3f(normalized(
+          Vec3d(unitNumber(hash(group, 2 * i)) * 1.6 - 0.8, unitNumber(hash(group, 2 * i + 1)) * 0.8 - 0.4, 1)));
+      valid[i] = i % 5 ? -1 : 0;
+      packet.ray.dir_x[i] = rays[i].direction.x;
+      packet.ray.dir_y[i] = rays[i].direction.y;
+      packet.ray.dir_z[i] = rays[i].direction.z;
+      packet.ray.tfar[i] = 1e30f;
+      packet.ray.mask[i] = CameraRays;
+      packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    scene.geometry->intersect<16>(valid, packet, true);
+    for (uint32_t i = 0; i < 16; ++i) {
+      if (!valid[i]) {
+        CHECK(packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID);
+        continue;
+      }
+      Hit hit = scene.shoot(rays[i]);
+      CHECK(packet.hit.geomID[i] == hit.geometry);
+      if (hit.isHit()) {
+        CHECK(packet.hit.primID[i] == hit.primitive);
+        CHECK(packet.ray.tfar[i] == Approx(hit.t).epsilon(1e-6));
+      }
+    }
+  }
+}
+
+TEST_CASE("visibility hides surfaces from kinds of rays", "[geometry]") {
+  TestScene scene("WorldBegin Translate 0 0 4 AttributeBegin Attribute \"visibility\" \"camera\" [0] "
+                  "Sphere 1 -1 1 360 AttributeEnd AttributeBegin Attribute \"visibility\" \"trace\" [0] "
+                  "\"transmission\" [\"transparent\"] Translate 0 0 4 Sphere 1 -1 1 360 AttributeEnd "
+                  "Opacity 0.5 0.5 0.5 Translate 0 0 8 Sphere 1 -1 1 360 WorldEnd");
+  Ray ray;
+  ray.direction = {0, 0, 1};
+  CHECK(scene.shoot(ray, CameraRays).t == 7);
+  CHECK(scene.shoot(ray, TraceRays).t == 3);
+  CHECK(scene.shoot(ray, OpaqueShadowRays).t == 3);
+  CHECK(scene.shoot(ray, PartialShadowRays).t == 11);
+  CHECK(scene.geometry->opacityAt(scene.shoot(ray, PartialShadowRays)) == Vec3d(0.5));
+}
+
+TEST_CASE("a polygon's normal, texture coordinates and colours", "[geometry]") {
+  TestScene scene("WorldBegin Translate 0 0 2 Polygon \"P\" [-1 -1 0  1 -1 0  1 1 0  -1 1 0] "
+                  "\"st\" [0 0 4 0 4 4 0 4] \"Cs\" [0 0 0  1 0 0  1 1 0  0 1 0] WorldEnd");
+  Ray ray;
+  ray.direction = Vec3f(normalized({0.25, 0.125, 1}));
+  Hit hit = scene.shoot(ray);
+  REQUIRE(hit.isHit());
+  SurfacePoint point;
+  scene.geometry->evaluate(hit, ray.origin, ray.direction, ~uint64_t(0), point);
+  // Anticlockwise as components go: the normal is +z in object space, away from this camera.
+  CHECK(point.frame.normal == Vec3d(0, 0, 1));
+  CHECK(point.s == Approx(3).epsilon(1e-5));
+  CHECK(point.t == Approx(2.5).epsilon(1e-5));
+  CHECK(point.color.x == Approx(0.75).epsilon(1e-5));
+  CHECK(point.color.y == Approx(0.625).epsilon(1e-5));
+  CHECK(point.frame.u == Approx(0.5).epsilon(1e-5)); // u and v are x and y of object space
+  CHECK(maxAbs(point.frame.dPdu - Vec3d(1, 0, 0)) < 1e-12);
+  CHECK(maxAbs(point.frame.dPdv - Vec3d(0, 1, 0)) < 1e-12);
+}
+
+TEST_CASE("a shadow ray ends before the surface that it leads to", "[geometry]") {
+  RayStart start{{0, 0, 1000}, {0, 0, -1}, 1000 * 0x1p-18f};
+  Ray ray;
+  REQUIRE(shadowRay(start, {5, 5, 0}, start.P, ray)); // from a light to the point
+  CHECK(ray.far * ray.direction.z + ray.origin.z < 1000 - 0.5f * start.offset);
+  REQUIRE(shadowRay(start, start.P, {5, 5, 0}, ray));
+  CHECK(ray.origin.z < 1000);
+  CHECK_FALSE(shadowRay(start, {1, 1, 1}, {1, 1, 1}, ray));
+  CHECK_FALSE(traceRay(start, {1, 1, 1}, {}, 0, ray));
+  CHECK_FALSE(traceRay(start, {1, 1, 1}, {NAN, 0, 0}, 0, ray));
+}

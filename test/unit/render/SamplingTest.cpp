@@ -1,0 +1,81 @@
+//===-- test/unit/render/SamplingTest.cpp - random numbers and pixel samples -------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/Sampling.h"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+using namespace anysl::render;
+
+namespace {
+SceneDescription sceneWith(FilterKind filter, double width) {
+  SceneDescription scene;
+  scene.samplesX = scene.samplesY = 16;
+  scene.filter = filter;
+  scene.filterWidthX = scene.filterWidthY = width;
+  return scene;
+}
+} // namespace
+
+TEST_CASE("samples are spread as the filter weighs", "[sampling]") {
+  // Variances of the filters over their width w, in closed form: box w²/12, triangle w²/24; of the
+  // truncated Gaussian exp(-8 z²), z in [-1/2, 1/2], by its moments.
+  double cut = std::exp(-2.0), mass = std::sqrt(3.14159265358979 / 8) * std::erf(std::sqrt(2.0));
+  double gaussian = 1.0 / 16 - cut / (16 * mass);
+  struct {
+    FilterKind kind;
+    double variance;
+  } const cases[] = {{FilterKind::Box, 1.0 / 12}, {FilterKind::Triangle, 1.0 / 24}, {FilterKind::Gaussian, gaussian}};
+  for (auto [kind, variance] : cases) {
+    double width = 3;
+    PixelSampler sampler(sceneWith(kind, width));
+    double sum = 0, squares = 0;
+    unsigned count = 0;
+    for (int x = 0; x < 20; ++x)
+      for (unsigned i = 0; i < sampler.samplesPerPixel(); ++i) {
+        double offset = sampler.sample(x, 5, i).x - (x + 0.5);
+        CHECK(std::fabs(offset) <= width / 2);
+        sum += offset;
+        squares += offset * offset;
+        ++count;
+      }
+    CHECK(sum / count == Approx(0).margin(0.01));
+    CHECK(squares / count == Approx(variance * width * width).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a box filter of width 1 puts one sample into each cell of its pixel", "[sampling]") {
+  PixelSampler sampler(sceneWith(FilterKind::Box, 1));
+  std::set<std::pair<int, int>> cells;
+  for (unsigned i = 0; i < sampler.samplesPerPixel(); ++i) {
+    PixelSample sample = sampler.sample(12, 34, i);
+    cells.insert({int((sample.x - 12) * 16), int((sample.y - 34) * 16)});
+  }
+  CHECK(cells.size() == 256);
+}
+
+TEST_CASE("seeds differ between pixels and samples, and come out the same again", "[sampling]") {
+  PixelSampler sampler(sceneWith(FilterKind::Box, 1));
+  std::set<uint32_t> seeds;
+  for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 16; ++y)
+      for (unsigned i = 0; i < 16; ++i)
+        seeds.insert(sampler.sample(x, y, i).seed);
+  CHECK(seeds.size() == 4096);
+  CHECK(sampler.sample(3, 4, 5).seed == PixelSampler(sceneWith(FilterKind::Box, 1)).sample(3, 4, 5).seed);
+}
+
+TEST_CASE("every bit of a hash depends on every bit of what is hashed", "[sampling]") {
+  for (int bit = 0; bit < 32; ++bit) {
+    int changed = 0;
+    for (uint32_t i = 0; i < 1000; ++i)
+      changed += __builtin_popcount(hash(i, 42) ^ hash(i ^ (1u << bit), 42));
+    CHECK(changed / 1000.0 == Approx(16).margin(1.5));
+  }
+}
