@@ -50,6 +50,8 @@ struct Statistics {
     double bound = isDouble ? tier.boundForDouble : tier.bound;
     if (wrong > 0)
       return false;
+    if (bound == 0.5)
+      return misrounded == 0;
     return bound > 0 ? maxUlp <= bound : maxRelative <= std::ldexp(1.0, -f.fastBits);
   }
 
