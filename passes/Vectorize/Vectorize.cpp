@@ -29,11 +29,9 @@ namespace anysl {
 //===-- Attributes ----------------------------------------------------------===//
 
 void addVectorVariant(Function &function, StringRef mangledName) {
-  Attribute present = function.getFnAttribute(VFABI::MappingsAttrName);
-  std::string list = present.isValid() ? present.getValueAsString().str() : "";
-  if (!list.empty())
-    list += ",";
-  function.addFnAttr(VFABI::MappingsAttrName, list + mangledName.str());
+  // An attribute of its own, as clang writes: LLVM's verifier refuses names such as
+  // _ZGV_LLVM_N8v_f in "vector-function-abi-variant" unless another name follows in brackets.
+  function.addFnAttr(mangledName);
 }
 
 void removeVectorVariants(Function &function) {

@@ -66,7 +66,8 @@ struct VectorizeOptions {
 bool defineVectorVariants(llvm::Module &module, const VectorizeOptions &options,
                           llvm::TargetMachine *targetMachine);
 
-/// Adds a variant name to a function's "vector-function-abi-variant" attribute.
+/// Asks for a variant by an attribute of the function, as clang does for `declare simd`. The name may be
+/// followed by "(f_x8)", what the variant's own function is called.
 void addVectorVariant(llvm::Function &function, llvm::StringRef mangledName);
 
 /// Removes every attribute that names a vector variant, which nothing after widening needs.
