@@ -251,11 +251,13 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
   // What the body turned out to use is loaded in front of it.
   BasicBlock *paramBlock = b.block("params");
   paramBlock->moveBefore(bodyBlock);
-  continueIn(paramBlock);
+  builder().SetInsertPoint(paramBlock);
   at(shader.range.Start);
   loadUsedParams(shader, info);
   at(shader.range.Start);
   branchTo(bodyBlock);
+  while (&info.body->back() != exitBlock) // blocks of varying parameters
+    info.body->back().moveAfter(paramBlock);
   bodyBlock = paramBlock;
   continueIn(&info.body->getEntryBlock());
   for (auto [id, slot] : globals) {

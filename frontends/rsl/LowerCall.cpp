@@ -134,6 +134,13 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
 /// Expands a function in place.
 Value *Lowering::callFunction(const CallExpr &call) {
   const FunctionDecl &function = *call.function;
+  static constexpr unsigned MaxExpansions = 10000;
+  if (++expansions > MaxExpansions) {
+    if (expansions == MaxExpansions + 1)
+      diags.error(call.loc, "functions calling functions expand to more than " +
+                                Twine(MaxExpansions) + " calls");
+    return function.result.kind == TypeKind::Void ? nullptr : temporary(call.type);
+  }
   struct Output {
     Place target;
     const VarDecl *param;

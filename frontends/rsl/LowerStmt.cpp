@@ -24,6 +24,13 @@ void Lowering::branchIf(Value *condition, BasicBlock *whenTrue, BasicBlock *when
   builder().CreateCondBr(condition, whenTrue, whenFalse);
 }
 
+/// Blocks stand in the order in which they are written.
+void Lowering::continueIn(BasicBlock *block) {
+  if (!block->isEntryBlock())
+    block->moveAfter(&block->getParent()->back());
+  builder().SetInsertPoint(block);
+}
+
 void Lowering::lowerBody(const BlockStmt &block) {
   for (const Stmt *stmt : block.body)
     lower(stmt);
@@ -170,9 +177,9 @@ void Lowering::lowerIlluminance(const LightStmt &stmt) {
       continueIn(run);
     }
   }
-  Value *position = copied({TypeKind::Point, true}, lower(stmt.position));
-  Value *axis = stmt.axis ? copied({TypeKind::Vector, true}, lower(stmt.axis)) : nullptr;
-  Value *angle = stmt.angle ? copied({TypeKind::Float, true}, lower(stmt.angle)) : nullptr;
+  Value *position = lowerLasting(stmt.position);
+  Value *axis = lowerLasting(stmt.axis);
+  Value *angle = lowerLasting(stmt.angle);
   at(stmt.loc);
   Value *count = b.call(Op::light_count, {b.context()});
   Value *direction = temporary({TypeKind::Vector, true}, "L");
@@ -231,8 +238,8 @@ void Lowering::lowerIlluminate(const LightStmt &stmt) {
   unsigned direction = globalNumber("L"), light = globalNumber("Cl");
   writtenGlobals.insert(direction);
   writtenGlobals.insert(light);
-  Value *axis = stmt.axis ? copied(vector, lower(stmt.axis)) : nullptr;
-  Value *angle = stmt.angle ? copied({TypeKind::Float, true}, lower(stmt.angle)) : nullptr;
+  Value *axis = lowerLasting(stmt.axis);
+  Value *angle = lowerLasting(stmt.angle);
   Value *to = temporary(vector);
   if (stmt.kind == StmtKind::Illuminate)
     b.call(Op::sub_vector, {to, globalSlot(globalNumber("Ps")), lower(stmt.position)});

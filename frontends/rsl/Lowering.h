@@ -78,11 +78,12 @@ private:
   bool isOpen() const { return !builder().GetInsertBlock()->getTerminator(); }
   void branchTo(llvm::BasicBlock *block);
   void branchIf(Value *condition, llvm::BasicBlock *whenTrue, llvm::BasicBlock *whenFalse);
-  void continueIn(llvm::BasicBlock *block) { builder().SetInsertPoint(block); }
+  void continueIn(llvm::BasicBlock *block);
 
   // Expressions (LowerExpr.cpp)
   Value *lower(const Expr *expr);
   Value *lowerBefore(const Expr *expr, bool effectsFollow);
+  Value *lowerLasting(const Expr *expr) { return expr ? lowerBefore(expr, true) : nullptr; }
   Value *lowerCondition(const Expr *expr);
   Value *lowerBinary(const BinaryExpr &binary);
   Value *lowerConditional(const ConditionalExpr &conditional);
@@ -140,6 +141,7 @@ private:
   llvm::BasicBlock *returnBlock = nullptr;
   std::vector<Loop> loops;
   Value *lightIndex = nullptr;
+  unsigned expansions = 0; ///< of functions, against those that multiply
 };
 
 } // namespace anysl::rsl

@@ -292,10 +292,10 @@ Parser::Specifiers Parser::parseSpecifiers() {
 /// `name`, `name[length]`, each with an optional `= value`.
 VarDecl *Parser::parseVariable(VarKind kind, const Specifiers &specifiers, FunctionDecl *owner) {
   if (!at(TokenKind::Identifier)) {
-    if (peek().text.empty() || !isAlpha(peek().text.front()))
-      errorHere("expected a name in a declaration, not " + describe(peek().kind));
-    else
+    if (peek().isKeyword())
       errorHere("'" + peek().text + "' is a reserved word and cannot be a name");
+    else
+      errorHere("expected a name in a declaration, not " + describe(peek().kind));
     return nullptr;
   }
   Token name = take();

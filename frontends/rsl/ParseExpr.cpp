@@ -147,6 +147,10 @@ Expr *Parser::parseBinary(int least) {
   SMLoc begin = peek().loc;
   Expr *left = parseUnary();
   while (left) {
+    if (at(TokenKind::Percent)) {
+      errorHere("RSL has no '%'; use mod(a, b)");
+      return nullptr;
+    }
     BinaryLevel next = binaryLevel(peek().kind);
     if (!next.level || next.level < least)
       return left;
@@ -253,14 +257,10 @@ Expr *Parser::parsePrimary() {
     return parseParenthesised();
   case TokenKind::LeftBrace:
     return parseInitialiser();
-  case TokenKind::Percent:
-    errorHere("RSL has no '%'; use mod(a, b)");
-    return nullptr;
   default:
     break;
   }
-  if (!token.is(TokenKind::End) && keywordKind(token.text) == token.kind &&
-      !token.isOneOf(TokenKind::EndOfDirective, TokenKind::Unknown) && isAlpha(token.text.front()))
+  if (token.isKeyword())
     errorHere("expected an expression, not the reserved word '" + token.text + "'");
   else
     errorHere("expected an expression, not " + describe(token.kind));
@@ -307,7 +307,9 @@ Expr *Parser::parseParenthesised() {
   if (!expect(TokenKind::RightParen, "after an expression"))
     return nullptr;
   if (elements.size() == 1) {
-    elements[0]->range = rangeFrom(begin);
+    // A message about an operation underlines its brackets too.
+    if (isa<BinaryExpr, ConditionalExpr, AssignExpr>(elements[0]))
+      elements[0]->range = rangeFrom(begin);
     return elements[0];
   }
   auto *tuple = ast.make<TupleExpr>(rangeFrom(begin), ast.copy<Expr *>(elements));

@@ -111,7 +111,8 @@ Stmt *Parser::parseStatementInner() {
     break;
   }
   // A type's name also begins a conversion, but then no name and no storage class follows it.
-  if (atSpecifier() && (!atTypeName() || peek(1).is(TokenKind::Identifier))) {
+  if (atSpecifier() &&
+      (!atTypeName() || peek(1).is(TokenKind::Identifier) || peek(1).isKeyword())) {
     bool isConversion = atTypeName() && peek(2).is(TokenKind::LeftParen);
     if (isConversion) {
       // `float f(…) {` against `float noise(…);`
@@ -122,8 +123,6 @@ Stmt *Parser::parseStatementInner() {
     if (!isConversion)
       return parseDeclaration();
   }
-  if (atTypeName() && peek(1).isOneOf(TokenKind::KwUniform, TokenKind::KwVarying))
-    return parseDeclaration();
   if (atUntypedFunction()) {
     FunctionDecl *decl = parseFunction(Specifiers());
     return decl ? ast.make<FunctionStmt>(loc, decl) : nullptr;

@@ -329,8 +329,7 @@ void Sema::checkInitialiser(VarDecl &decl) {
   } else {
     decl.init = checkAs(decl.init, decl.type, what);
   }
-  if (checkStorage(decl.init, decl.type.varying, what + " of uniform type"))
-    decl.isAssigned = true;
+  checkStorage(decl.init, decl.type.varying, what + " of uniform type");
 }
 
 void Sema::checkExtern(ExternStmt &stmt) {

@@ -35,6 +35,7 @@ struct Token {
   llvm::StringRef text; ///< its characters, line splices removed; strings keep their quotes
 
   bool is(TokenKind other) const { return kind == other; }
+  bool isKeyword() const { return kind >= TokenKind::KwFloat; }
   template <typename... Kinds> bool isOneOf(Kinds... kinds) const { return (is(kinds) || ...); }
   llvm::SMRange range() const { return {loc, end}; }
 };

@@ -51,7 +51,9 @@ bool parse(StringRef name, StringRef text, std::vector<Expectation> &out, raw_os
       expectation.severity = Severity::Remark;
     else
       continue; // ordinary prose
-    if (rest.consume_front("@")) {
+    if (rest.consume_front("@*")) {
+      expectation.line = 0;
+    } else if (rest.consume_front("@")) {
       bool down = rest.consume_front("-");
       bool isRelative = rest.consume_front("+") || down;
       unsigned number = 0;
@@ -102,8 +104,9 @@ bool verifyDiagnostics(DiagnosticEngine &engine, ArrayRef<Diagnostic> messages, 
       place.line = sources.getLineAndColumn(message->loc, buffer).first;
     }
     auto fits = [&](const Expectation &e) {
-      return e.count && e.severity == message->severity && e.file == place.file &&
-             e.line == place.line && StringRef(message->message).contains(e.text);
+      bool isHere = !e.line || (e.file == place.file && e.line == place.line);
+      return e.count && isHere && e.severity == message->severity &&
+             StringRef(message->message).contains(e.text);
     };
     auto found = find_if(expectations, fits);
     if (found != expectations.end()) {

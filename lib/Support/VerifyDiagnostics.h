@@ -12,7 +12,8 @@
 //     f(1);                // expected-error@+2 {{unknown function 'f'}} expected-note@-3 {{…}}
 //
 // The text in braces must occur in a message of that severity on that line. A number before the braces
-// (`expected-error 2 {{…}}`) says how often. Messages that nothing expects, and expectations that nothing
+// (`expected-error 2 {{…}}`) says how often; `expected-note@*` means any
+// place. Messages that nothing expects, and expectations that nothing
 // meets, are failures; notes only count where some are expected.
 //
 //===------------------------------------------------------------------------------------------===//

@@ -1,0 +1,2 @@
+#include "half.h"
+color nowhere() { return color(undefined); }

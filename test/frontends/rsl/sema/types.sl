@@ -1,0 +1,51 @@
+// Conversions that there are not.
+// RUN: rslc -verify -fsyntax-only -ferror-limit=0 %s
+
+surface types(string name = "x"; float f = Cs) {  // expected-error {{initialising 'f': a value of type 'color' is no 'float'}} expected-note {{comp(…, 0) takes one component}}
+  float x = name;                     // expected-error {{a value of type 'string' is no 'float'}}
+  float y = Cs;                       // expected-error {{a value of type 'color' is no 'float'}} expected-note {{comp}}
+  string s = 1;                       // expected-error {{a value of type 'float' is no 'string'}}
+  matrix m = Cs;                      // expected-error {{a value of type 'color' is no 'matrix'}}
+  Ci = name + 1;                      // expected-error {{'+' does not take 'string' and 'float'}}
+  Ci = m * Cs;                        // expected-error {{'*' does not take 'matrix' and 'color'}}
+  if (Cs) Ci = 1;                     // expected-error {{a condition must be a comparison or a float, not 'color'}}
+  if (Cs < 1) Ci = 1;                 // expected-error {{'<' does not compare 'color' and 'float'}}
+  if (name == 1) Ci = 1;              // expected-error {{'==' does not compare 'string' and 'float'}}
+  Ci = -name;                         // expected-error {{a value of type 'string' cannot be negated}}
+  Ci = f > 0 ? name : 1;              // expected-error {{the two values of '?:' are of types 'string' and 'float'}}
+  Ci = (1, 2);                        // expected-error {{a triple has 3 values and a matrix 16, not 2}}
+  Ci = f[0];                          // expected-error {{a value of type 'float' has no elements}}
+  Ci = float Cs;                      // expected-error {{a value of type 'color' cannot be converted to 'float'}}
+  f = float "shader" 1;               // expected-error {{a 'float' is in no coordinate system}}
+  1 = 2;                              // expected-error {{'=' needs a variable to its left}}
+  PI = 3;                             // expected-error {{'=' needs a variable to its left}}
+  Ng = N;                             // expected-error {{'Ng' cannot be assigned}}
+  // What is allowed.
+  Ci = 1; Ci = P; N = Cs; P = N; x = (Cs == Os); m = 2; m = m * 2 / m; Ci = 2 / Cs; Ci /= 2; N += 1;
+}
+
+float twice(float x) { return 2 * x; }          // expected-note 2 {{candidate: float twice(float)}}
+void nothing() { return 1; }                    // expected-error {{function 'nothing' returns no value}} expected-note {{declared here}}
+float something() { return; }                   // expected-error {{function 'something' must return a value of type 'float'}} expected-note {{declared here}}
+float some(float x) { if (x > 0) return 1; }    // expected-warning {{function 'some' may end without returning a value}} expected-note {{declared here}}
+float assigns(float x) { x = 1; return x; }     // expected-warning {{parameter 'x' is not 'output'}} expected-note {{declared here}}
+float recursive(float x) { return recursive(x - 1); } // expected-error {{function 'recursive' calls itself}} expected-note {{declared here}}
+float defaulted(float x = 1) { return x; }      // expected-error {{a function's parameter cannot have a default}}
+
+surface calls() {
+  Ci = twice("a");                    // expected-error {{no function 'twice' takes (string)}}
+  Ci = twice(1, 2);                   // expected-error {{no function 'twice' takes (float, float)}}
+  Ci = nothing() + 1;                 // expected-error {{'+' does not take 'void' and 'float'}}
+  Ci = smoothstep(0, 1);              // expected-error {{no function 'smoothstep' takes (float, float)}} expected-note@* {{candidate: float smoothstep(float, float, float)}}
+  Ci = smoothstep(0, undefined, 1);   // expected-error {{unknown variable 'undefined'}}
+  Ci = texture("x.tex");              // expected-error {{built-in 'texture' is not supported}}
+  break;                              // expected-error {{'break' outside of a loop}}
+  while (1) { while (1) { break 2; continue 3; } } // expected-error {{'continue 3' inside of only 2 loops}}
+  return 1;                           // expected-error {{a shader returns no value}}
+  illuminate(P) { Ci = 1; }           // expected-error {{'illuminate' belongs in a light shader, not in a surface}}
+  illuminance(P, N) { Ci = Cl; }      // expected-error {{'illuminance' takes a position and, optionally, an axis and an angle}}
+}
+
+light l() {
+  Ci = 1;                             // expected-error {{a light shader has no 'Ci'}}
+}
