@@ -290,7 +290,13 @@ Value *Widener::lastActiveLane() {
 
 void Widener::replicate(Instruction &instruction) {
   // The operands' lanes, and what stays the same.
-  SmallVector<std::pair<unsigned, Value *>, 4> varying;
+  struct Varying {
+    unsigned operand;
+    Value *lanes;
+    AllocaInst *memory;
+  };
+  SmallVector<Varying, 4> varying;
+  bool harmless = isSafeToSpeculativelyExecute(&instruction);
   Instruction *pattern = instruction.clone();
   for (Use &operand : pattern->operands()) {
     Value *value = operand.get();
@@ -299,21 +305,45 @@ void Widener::replicate(Instruction &instruction) {
     if (isa<Constant>(value) || shapeOf(value).isUniform())
       operand.set(base(value));
     else
-      varying.push_back({operand.getOperandNo(), vector(value)});
+      varying.push_back({operand.getOperandNo(), vector(value), nullptr});
   }
   pattern->dropUnknownNonDebugMetadata();
+
+  // A loop picks lanes from memory: x86 has no other way to address a lane by number, and LLVM would
+  // write the whole vector there in each iteration (and fails to call a pointer that it picked so).
+  auto inMemory = [&](Type *type) {
+    IRBuilder<> start(variablesEnd);
+    return start.CreateAlloca(FixedVectorType::get(type, width), nullptr, "lanes");
+  };
   bool returns = !instruction.getType()->isVoidTy();
   Value *result = returns ? PoisonValue::get(wide(instruction.getType())) : nullptr;
+  AllocaInst *results = nullptr;
+  if (!harmless) {
+    for (Varying &item : varying)
+      if (isLaneSized(item.lanes->getType()->getScalarType())) {
+        item.memory = inMemory(item.lanes->getType()->getScalarType());
+        builder.CreateStore(item.lanes, item.memory);
+      }
+    if (returns && isLaneSized(instruction.getType()))
+      results = inMemory(instruction.getType());
+  }
   auto runLane = [&](Value *lane, Value *into) -> Value * {
     Instruction *copy = pattern->clone();
-    for (auto [operand, lanes] : varying)
-      copy->setOperand(operand,
-                       extractLane(lanes, instruction.getOperand(operand)->getType(), lane));
+    for (auto [operand, lanes, memory] : varying) {
+      Type *type = instruction.getOperand(operand)->getType();
+      copy->setOperand(operand, memory ? builder.CreateLoad(type, builder.CreateGEP(type, memory, lane))
+                                       : extractLane(lanes, type, lane));
+    }
     builder.Insert(copy);
-    return returns ? insertLane(into, copy, lane) : nullptr;
+    if (!returns)
+      return nullptr;
+    if (!results)
+      return insertLane(into, copy, lane);
+    builder.CreateStore(copy, builder.CreateGEP(copy->getType(), results, lane));
+    return into;
   };
 
-  if (isSafeToSpeculativelyExecute(&instruction)) {
+  if (harmless) {
     for (unsigned lane = 0; lane < width; ++lane)
       result = runLane(builder.getInt32(lane), result);
   } else {
@@ -331,18 +361,20 @@ void Widener::replicate(Instruction &instruction) {
     builder.SetInsertPoint(loop);
     PHINode *left = builder.CreatePHI(type, 2, "left");
     left->addIncoming(bits, before);
-    PHINode *sofar = returns ? builder.CreatePHI(result->getType(), 2) : nullptr;
+    PHINode *sofar = returns && !results ? builder.CreatePHI(result->getType(), 2) : nullptr;
     if (sofar)
       sofar->addIncoming(result, before);
     Value *lane = builder.CreateBinaryIntrinsic(Intrinsic::cttz, left, builder.getTrue());
-    Value *updated = runLane(lane, sofar);
+    Value *updated = runLane(builder.CreateZExtOrTrunc(lane, builder.getInt64Ty()), sofar);
     Value *rest = builder.CreateAnd(left, builder.CreateSub(left, ConstantInt::get(type, 1)));
     left->addIncoming(rest, loop);
     if (sofar)
       sofar->addIncoming(updated, loop);
     builder.CreateCondBr(builder.CreateICmpNE(rest, ConstantInt::get(type, 0)), loop, after);
     builder.SetInsertPoint(after);
-    if (returns && !isOccupied()) {
+    if (results) {
+      updated = builder.CreateLoad(result->getType(), results);
+    } else if (returns && !isOccupied()) {
       PHINode *joined = builder.CreatePHI(result->getType(), 2);
       joined->addIncoming(result, before);
       joined->addIncoming(updated, loop);

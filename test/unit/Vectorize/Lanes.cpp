@@ -240,6 +240,7 @@ std::string compareLanes(const Module &module, StringRef name, const Comparison 
   // The module moves to a context of its own, as the JIT wants to own that.
   orc::JITTargetMachineBuilder machine{Triple(sys::getProcessTriple())};
   machine.setCPU(how.cpu);
+  machine.setRelocationModel(Reloc::PIC_);
   machine.setCodeGenOptLevel(CodeGenOptLevel::Less);
   auto made = orc::LLJITBuilder().setJITTargetMachineBuilder(std::move(machine)).create();
   if (!made)
