@@ -13,7 +13,7 @@
 void anysl_runtime_shade_point(const AnyslShadeArgs *args, uint32_t point) {
   // Loaded whether or not the shader draws numbers: where it does not, nothing of this is left.
   uint32_t seed = args->seeds ? args->seeds[point] : point;
-  anysl_context context = {args, point, anysl::mixBits(seed)};
+  anysl_context context = {args, point, anysl::mixBits(seed + anysl::goldenStep)};
   anysl_shader_body(&context);
 }
 

@@ -24,7 +24,8 @@ namespace {
 //===-- Lattice -------------------------------------------------------------------------------===//
 
 /// A lattice point's key is the sum of its coordinates times these, so a neighbour costs one
-/// addition.
+/// addition; it starts from `origin`, since 0 is a number that mixing does not change.
+constexpr uint32_t origin = goldenStep;
 constexpr uint32_t axisKey[4] = {0x8da6b343u, 0xd8163841u, 0xcb1ab31fu, 0x165667b1u};
 
 // Structures are filled through a reference: <anysl/vec.h> says why.
@@ -125,7 +126,7 @@ struct Values {
 /// What the corners give whose position along axes Axes and above is chosen already: `key` is the
 /// sum of the chosen planes' keys, and bit k of Corner says that the far plane of axis k was.
 template <int Channels, int N, int Axes = N, int Corner = 0>
-void blend(Values<Channels> &result, const Cell<N> &cell, uint32_t key = 0) {
+void blend(Values<Channels> &result, const Cell<N> &cell, uint32_t key = origin) {
   if constexpr (Axes == 0) {
     Point<N> offset;
     repeat<N>([&](auto axis) {
@@ -187,7 +188,7 @@ void periodicNoise(Result *result, const Point<N> &p, const Point<N> &periods) {
 template <int N, typename Result>
 void cellNoise(Result *result, const Point<N> &p) {
   constexpr int channels = channelsOf(static_cast<Result *>(nullptr));
-  uint32_t key = 0;
+  uint32_t key = origin;
   repeat<N>([&](auto axis) { key += latticeCell(floorOf(p.coordinate[axis])) * axisKey[axis]; });
   Values<channels> values;
   repeat<channels>(

@@ -108,6 +108,132 @@ TEST_CASE("a projection divides by w, and a singular matrix gives 0") {
   checkVector(call<anysl_transform_normal>(anysl_matrix{}, anysl_vector(1, 2, 3)), 0, 0, 0);
 }
 
+//===-- Refraction
+//------------------------------------------------------------------------------===//
+
+namespace {
+
+struct Fresnel {
+  Real Kr, Kt;
+  anysl_vector R, T;
+};
+
+Fresnel fresnel(const anysl_vector &I, const anysl_vector &N, Real eta) {
+  Fresnel f;
+  use<anysl_fresnel>()(&I, &N, &eta, &f.Kr, &f.Kt, &f.R, &f.T);
+  return f;
+}
+
+/// The same equations with the digits of long double.
+long double exactShare(const anysl_vector &I, const anysl_vector &N, Real eta, bool &isTotal) {
+  long double n = eta;
+  long double c =
+      std::abs((long double)I.x * N.x + (long double)I.y * N.y + (long double)I.z * N.z);
+  long double k = (1 - n) * (1 + n) + (n * c) * (n * c);
+  isTotal = k < 0;
+  if (isTotal)
+    return 1;
+  long double inside = std::sqrt(k);
+  long double perpendicular = (n * c - inside) / (n * c + inside);
+  long double parallel = (c - n * inside) / (c + n * inside);
+  return (perpendicular * perpendicular + parallel * parallel) / 2;
+}
+
+/// A direction at an angle to a normal, both in no special position.
+void atAngle(double angle, const std::array<double, 3> &normal, anysl_vector &I, anysl_vector &N) {
+  double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  std::array<double, 3> n, t;
+  for (int k = 0; k < 3; ++k)
+    n[k] = normal[k] / length;
+  // Any vector across n: the axis that n is farthest from, made perpendicular.
+  int axis = std::abs(n[0]) < 0.5 ? 0 : 1;
+  double tLength = std::sqrt(1 - n[axis] * n[axis]);
+  for (int k = 0; k < 3; ++k)
+    t[k] = ((k == axis) - n[axis] * n[k]) / tLength;
+  for (int k = 0; k < 3; ++k) {
+    (&N.x)[k] = Real(n[k]);
+    (&I.x)[k] = Real(std::sin(angle) * t[k] - std::cos(angle) * n[k]);
+  }
+}
+
+} // namespace
+
+TEST_CASE(
+    "fresnel at normal incidence, at Brewster's angle and at grazing is as the books have it") {
+  Fresnel f = fresnel({0, 0, -1}, {0, 0, 1}, Real(1 / 1.5));
+  CHECK(f.Kr == near(0.04));
+  CHECK(f.Kt == near(0.96));
+  checkVector(f.R, 0, 0, 1);
+  checkVector(f.T, 0, 0, -1);
+  // At Brewster's angle only half of the light, the perpendicular part, is reflected at all.
+  double brewster = std::atan(1.5), inside = std::asin(std::sin(brewster) / 1.5);
+  f = fresnel({Real(std::sin(brewster)), 0, Real(-std::cos(brewster))}, {0, 0, 1}, Real(1 / 1.5));
+  double perpendicular = std::sin(brewster - inside) / std::sin(brewster + inside);
+  CHECK(f.Kr == near(perpendicular * perpendicular / 2, 32));
+  checkVector(f.T, std::sin(inside), 0, -std::cos(inside));
+  checkVector(f.R, std::sin(brewster), 0, std::cos(brewster));
+  CHECK(fresnel({1, 0, 0}, {0, 0, 1}, Real(1 / 1.5)).Kr == 1);
+}
+
+TEST_CASE("total reflection gives Kr = 1, Kt = 0, T = 0") {
+  Fresnel f = fresnel({Real(0.8), 0, Real(-0.6)}, {0, 0, 1}, Real(1.5));
+  CHECK(f.Kr == 1);
+  CHECK(f.Kt == 0);
+  checkVector(f.T, 0, 0, 0, 0);
+  checkVector(f.R, 0.8, 0, 0.6);
+}
+
+TEST_CASE("about the critical angle the share is right, and the side never wrong") {
+  for (Real eta : {Real(1.5), Real(1.0001), Real(1.000001)}) {
+    double critical = std::asin(1 / double(eta));
+    for (const auto &normal : directions())
+      for (double offset = 1e-7; offset < 0.4; offset *= 3)
+        for (double side : {-1, 1}) {
+          double angle = critical + side * offset;
+          if (angle > 1.5707)
+            continue;
+          anysl_vector I, N;
+          atAngle(angle, normal, I, N);
+          bool isTotal;
+          long double share = exactShare(I, N, eta, isTotal);
+          Fresnel f = fresnel(I, N, eta);
+          anysl_vector T = call<anysl_refract>(I, N, eta);
+          bool hasNoT = T.x == 0 && T.y == 0 && T.z == 0;
+          if (std::abs(f.Kr - share) > 1e-5 || f.Kr < 0 || f.Kr > 1 || hasNoT != isTotal)
+            FAIL("eta " << eta << " angle " << angle << ": " << f.Kr << ", not " << double(share));
+        }
+  }
+}
+
+TEST_CASE("extreme ratios of media give shares in [0, 1]") {
+  anysl_vector N(0, 0, 1), oblique(Real(0.6), 0, Real(-0.8)), grazing(1, 0, 0);
+  CHECK(fresnel(grazing, N, 1).Kr == 0);
+  CHECK(fresnel(oblique, N, 1).Kr == near(0));
+  for (const anysl_vector &I : {oblique, grazing}) {
+    for (Real eta : {Real(0), Real(1e-30), infinite, Real(1e30)}) {
+      INFO("eta " << eta);
+      CHECK(fresnel(I, N, eta).Kr == near(1));
+    }
+    CHECK(fresnel(I, N, Real(-1.2)).Kr == fresnel(I, N, Real(1.2)).Kr);
+  }
+}
+
+TEST_CASE("refraction obeys Snell's law, and eta = 1 changes nothing") {
+  for (const auto &normal : directions())
+    for (double angle : {0.0, 1e-4, 0.3, 1.0, 1.5, 1.57}) {
+      anysl_vector I, N;
+      atAngle(angle, normal, I, N);
+      anysl_vector same = call<anysl_refract>(I, N, 1);
+      checkVector(same, I.x, I.y, I.z, 2);
+      for (Real eta : {Real(0.5), Real(1 / 1.5), Real(0.999)}) {
+        anysl_vector T = call<anysl_refract>(I, N, eta);
+        anysl_vector across = call<anysl_cross>(N, T), before = call<anysl_cross>(N, I);
+        checkVector(across, eta * before.x, eta * before.y, eta * before.z);
+        CHECK(call<anysl_length>(T) == near(1));
+      }
+    }
+}
+
 //===-- Matrices
 //--------------------------------------------------------------------------------===//
 

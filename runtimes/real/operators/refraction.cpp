@@ -1,0 +1,103 @@
+//===-- runtimes/real/operators/refraction.cpp - light at the boundary of two media
+//-------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Everything hangs on k = 1 - eta^2 (1 - c^2), the square of the cosine inside, with c = I.N. Near
+// the critical angle k is close to 0, its root and so the reflected share change without bound, and
+// its sign decides between refraction and total reflection; there a rounding error of one part in
+// 2^24 in c is an error of half a percent in the share. So k is computed as 1 - eta^2 + (eta c)^2
+// with twice the digits of a real: each product and sum carries its rounding error along, which
+// fusedMultiplyAdd and Knuth's two-sum give exactly.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include <anysl/domain.h>
+#include <anysl/runtime.h>
+
+using namespace anysl;
+
+namespace {
+
+/// high + low += x, with what the sum rounds away going into low.
+void accumulate(anysl_float &high, anysl_float &low, anysl_float x) {
+  anysl_float sum = high + x;
+  anysl_float part = sum - high;
+  low = low + ((high - (sum - part)) + (x - part));
+  high = sum;
+}
+
+/// high + low += a b.
+void accumulateProduct(anysl_float &high, anysl_float &low, anysl_float a, anysl_float b) {
+  anysl_float product = a * b;
+  accumulate(high, low, product);
+  low = low + fusedMultiplyAdd(a, b, -product);
+}
+
+/// c = I.N, and k. Negative k means that no light passes. An infinite eta gives NaN, and means the
+/// same.
+void boundary(const anysl_vector &I, const anysl_vector &N, anysl_float eta, anysl_float &c,
+              anysl_float &k) {
+  anysl_float cLow(0);
+  c = anysl_float(0);
+  accumulateProduct(c, cLow, I.x, N.x);
+  accumulateProduct(c, cLow, I.y, N.y);
+  accumulateProduct(c, cLow, I.z, N.z);
+  // Where the products cancel, the carried error is no longer small beside their sum.
+  anysl_float sum = c + cLow;
+  cLow = cLow - (sum - c);
+  c = sum;
+
+  anysl_float t = eta * c, tLow = fusedMultiplyAdd(eta, c, -t) + eta * cLow;
+  anysl_float kLow(0);
+  k = anysl_float(1);
+  accumulateProduct(k, kLow, -eta, eta);
+  accumulateProduct(k, kLow, t, t);
+  k = k + (kLow + 2 * t * tLow);
+}
+
+/// eta I - (eta c + sqrt(k)) N, or the zero vector.
+void refracted(anysl_vector *result, const anysl_vector &I, const anysl_vector &N, anysl_float eta,
+               anysl_float c, anysl_float k) {
+  bool passes = k >= 0;
+  anysl_float alongN = eta * c + squareRoot(k), zero(0);
+  auto component = [=](const anysl_float &i, const anysl_float &n) {
+    return select(passes, eta * i - alongN * n, zero);
+  };
+  *result = each(component, I, N);
+}
+
+} // namespace
+
+void anysl_refract(anysl_vector *result, const anysl_vector *I, const anysl_vector *N,
+                   const anysl_float *eta) {
+  anysl_float c, k;
+  boundary(*I, *N, *eta, c, k);
+  refracted(result, *I, *N, *eta, c, k);
+}
+
+/// Fresnel's equations. A quotient of zeros is 0, so eta = 1 reflects nothing even at grazing
+/// incidence.
+void anysl_fresnel(const anysl_vector *I, const anysl_vector *N, const anysl_float *eta,
+                   anysl_float *Kr, anysl_float *Kt, anysl_vector *R, anysl_vector *T) {
+  // The sign of eta has no meaning. The least eta keeps a medium of none (eta = 0) reflecting all
+  // at grazing.
+  anysl_float least(1e-30), n = select(absOf(*eta) > least, absOf(*eta), least);
+  n = select(isNaN(*eta), *eta, n);
+  anysl_float c, k;
+  boundary(*I, *N, n, c, k);
+  anysl_float outside = absOf(c), inside = squareRoot(k);
+  anysl_float perpendicular = divide(n * outside - inside, n * outside + inside);
+  anysl_float parallel = divide(outside - n * inside, outside + n * inside);
+  anysl_float share = anysl_float(0.5) * (perpendicular * perpendicular + parallel * parallel);
+  share = select(k >= 0, share, anysl_float(1));
+  anysl_vector reflected = *I - *N * (2 * c), through;
+  refracted(&through, *I, *N, n, c, k);
+  *Kr = share;
+  *Kt = 1 - share;
+  *R = reflected;
+  *T = through;
+}
