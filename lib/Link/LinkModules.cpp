@@ -13,14 +13,13 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Link/Session.h"
+#include "passes/Vectorize/VectorAbi.h"
 #include "passes/Vectorize/Vectorize.h"
 #include "llvm/ADT/SetVector.h"
 #include "llvm/ADT/StringSet.h"
-#include "llvm/Analysis/VectorUtils.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/Instructions.h"
 #include "llvm/IR/Operator.h"
-#include "llvm/IR/VFABIDemangler.h"
 #include "llvm/Linker/IRMover.h"
 #include "llvm/Support/Error.h"
 #include "llvm/Support/MemoryBuffer.h"
@@ -170,17 +169,12 @@ private:
 
   /// The wide forms of a function are called by nobody yet; they come along for the widths asked for.
   void scanVariants(Function &function, const Origin &origin) {
-    StringRef list = function.getFnAttribute(VFABI::MappingsAttrName).getValueAsString();
-    SmallVector<StringRef> names;
-    list.split(names, ',', -1, false);
-    for (StringRef name : names) {
-      auto info = VFABI::tryDemangleForVFABI(name, function.getFunctionType());
-      if (!info || info->Shape.VF.isScalable() ||
-          !is_contained(session.widths, info->Shape.VF.getFixedValue()))
+    for (const VariantName &name : variantNames(function.getAttributes())) {
+      if (!is_contained(session.widths, name.width))
         continue;
-      if (GlobalValue *variant = definition(info->VectorName)) {
+      if (GlobalValue *variant = definition(name.functionName)) {
         requestValue(*variant, origin);
-        variants.insert(info->VectorName);
+        variants.insert(name.functionName);
       }
     }
   }

@@ -11,8 +11,8 @@
 
 #include "lib/Link/Passes.h"
 #include "lib/Link/Session.h"
+#include "passes/Vectorize/VectorAbi.h"
 #include "llvm/ADT/STLExtras.h"
-#include "llvm/Analysis/VectorUtils.h"
 #include "llvm/IR/AttributeMask.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/Instructions.h"
@@ -25,7 +25,7 @@ namespace anysl::link {
 namespace {
 
 bool hasVariants(const Function &function) {
-  return function.hasFnAttribute(VFABI::MappingsAttrName);
+  return !variantNames(function.getAttributes()).empty();
 }
 
 /// Modules come from a front end that knows no target and from a compiler whose target is not ours;
@@ -101,6 +101,7 @@ bool optimize(Session &session) {
   }
   inlineAndSimplify(module, session.target);
   for (Shader &shader : session.shaders) {
+    markInvariants(*shader.point);
     shader.report.scalarInstructions = shader.point->getInstructionCount();
     shader.report.callsLeft = callsIn(*shader.point);
   }

@@ -83,6 +83,12 @@ bool openLayers(Session &session);
 /// inlining would not end. Gives false if there is any.
 bool refuseRecursion(Session &session, llvm::Function &root);
 
+/// Marks the loads of a function (ptr args, …) that read what no shading changes.
+void markInvariants(llvm::Function &shade);
+
+/// Turns pointers through which an internal function only gives results into returned values.
+void returnOutputs(llvm::Module &module);
+
 /// Direct calls in a function of what has a body or a name: everything but intrinsics. Indirect calls
 /// count as "a service".
 std::vector<std::string> callsIn(const llvm::Function &function);

@@ -17,7 +17,6 @@
 #include "llvm/IR/DebugInfoMetadata.h"
 #include "llvm/IR/GlobalVariable.h"
 #include "llvm/IR/Module.h"
-#include "llvm/IR/VFABIDemangler.h"
 
 using namespace llvm;
 

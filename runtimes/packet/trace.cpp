@@ -17,11 +17,22 @@
 
 namespace {
 
-/// W reals, and the same where only the alignment of a real is known.
+/// W reals in a register. In memory they are copied, because only a real's alignment is known
+/// there.
 template <int W>
 using Lanes = float __attribute__((ext_vector_type(W)));
+
 template <int W>
-using LooseLanes = float __attribute__((ext_vector_type(W), aligned(4)));
+void store(float *to, Lanes<W> x) {
+  __builtin_memcpy(to, &x, W * sizeof(float));
+}
+
+template <int W>
+Lanes<W> load(const float *from) {
+  Lanes<W> x;
+  __builtin_memcpy(&x, from, W * sizeof(float));
+  return x;
+}
 
 /// x[W] y[W] z[W], as services lay out vectors.
 template <int W>
@@ -34,15 +45,10 @@ struct alignas(64) Packet {
     put(1, y);
     put(2, z);
   }
-  void put(int c, Lanes<W> x) { *reinterpret_cast<LooseLanes<W> *>(component[c]) = x; }
-  Lanes<W> get(int c) const { return *reinterpret_cast<const LooseLanes<W> *>(component[c]); }
+  void put(int c, Lanes<W> x) { store<W>(component[c], x); }
+  Lanes<W> get(int c) const { return load<W>(component[c]); }
   float *data() { return component[0]; }
 };
-
-template <int W>
-void store(float *to, Lanes<W> x) {
-  *reinterpret_cast<LooseLanes<W> *>(to) = x;
-}
 
 constexpr double farAway = 1e30; // what a ray that the renderer does not trace has travelled
 
@@ -150,7 +156,7 @@ Lanes<W> askDistance(const AnyslShadeArgs *args, uint32_t first, uint32_t mask, 
       if (mask & (1u << i))
         distance[i] = packet_trace_distance(args, first + i, p[0][i], p[1][i], p[2][i], q[0][i],
                                             q[1][i], q[2][i]);
-  return *reinterpret_cast<LooseLanes<W> *>(distance);
+  return load<W>(distance);
 }
 
 } // namespace
