@@ -93,7 +93,8 @@ void check(WideRay<W, Mask> &trace, WideRay<W, Mask> &transmission,
       AnyslShadeArgs args = {};
       args.services = &services;
       for (auto *form : {&trace, &transmission}) {
-        float result[3][W] = {};
+        alignas(64) float memory[4][W + 1] = {};
+        float *result[3] = {memory[1], memory[2], memory[3]}; // not aligned as vectors are
         asked = {};
         (*form)(&args, first, c[0], c[1], c[2], c[3], c[4], c[5], result[0], result[1], result[2],
                 mask);
