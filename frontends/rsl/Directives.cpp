@@ -24,14 +24,11 @@ static constexpr unsigned MaxIncludeDepth = 100;
 bool Preprocessor::enterFile(StringRef path, SMLoc from) {
   Expected<unsigned> buffer = diags.addFile(path, from);
   if (!buffer) {
+    missedFile = true;
     diags.error(from, "cannot read '" + path + "': " + toString(buffer.takeError()));
     return false;
   }
-  auto source = std::make_unique<Source>();
-  source->lexer = std::make_unique<Lexer>(diags.text(*buffer), diags, saver);
-  source->buffer = *buffer;
-  source->openConditions = conditions.size();
-  stack.push_back(std::move(source));
+  enterBuffer(*buffer);
   if (!is_contained(files, path))
     files.push_back(path.str());
   return true;
@@ -209,6 +206,7 @@ void Preprocessor::includeDirective(SMLoc loc) {
       if (tryFile(folder))
         return;
   }
+  missedFile = true;
   std::string places = searched.empty() ? "no -I folder is given" : "searched in " + join(searched, ", ");
   diags.error(name.loc, "cannot find '" + wanted + "' (" + places + ")").range(name.range());
 }

@@ -22,8 +22,10 @@ FrontendResult compile(StringRef path, const FrontendOptions &options, Diagnosti
                        LLVMContext &context) {
   FrontendResult result;
   Preprocessor preprocessor(diags, options.preprocessor);
-  std::vector<Token> tokens = preprocessor.run(path);
+  std::vector<Token> tokens = preprocessor.run(path, options.text);
   result.dependencies = preprocessor.dependencies();
+  if (preprocessor.isIncomplete())
+    return result;
 
   Ast ast;
   Parser(std::move(tokens), ast, diags).parseFile();

@@ -20,6 +20,8 @@ namespace anysl::rsl {
 
 struct FrontendOptions {
   PreprocessorOptions preprocessor;
+  /// What the file is taken to contain, instead of reading it.
+  std::optional<llvm::StringRef> text;
   bool isLibrary = false;   ///< functions define operators
   bool syntaxOnly = false;  ///< stop after checking; a file need not contain a shader
 };

@@ -105,6 +105,14 @@ void Parser::skipBrackets() {
   } while (open && !at(TokenKind::End));
 }
 
+/// In a parameter list that makes no sense: skips the rest of the definition.
+void Parser::skipBody() {
+  while (!peek().isOneOf(TokenKind::End, TokenKind::LeftBrace, TokenKind::RightBrace))
+    take();
+  if (at(TokenKind::LeftBrace))
+    skipBrackets();
+}
+
 void Parser::skipToDeclaration() {
   while (!at(TokenKind::End)) {
     if (at(TokenKind::LeftBrace)) {
@@ -179,7 +187,7 @@ void Parser::parseShader(ShaderType type) {
   Token name = take();
   std::vector<VarDecl *> params;
   if (!parseParams(VarKind::ShaderParam, params, nullptr))
-    return skipToDeclaration();
+    return skipBody();
   if (!at(TokenKind::LeftBrace)) {
     expect(TokenKind::LeftBrace, "before the body of a shader");
     return skipToDeclaration();
@@ -205,15 +213,15 @@ FunctionDecl *Parser::parseFunction(const Specifiers &specifiers) {
   function = decl;
   std::vector<VarDecl *> params;
   bool ok = parseParams(VarKind::FunctionParam, params, decl);
-  if (ok && !at(TokenKind::LeftBrace)) {
+  if (!ok) {
+    skipBody();
+  } else if (!at(TokenKind::LeftBrace)) {
     expect(TokenKind::LeftBrace, "before the body of a function");
+    skipToDeclaration();
     ok = false;
-  }
-  if (ok) {
+  } else {
     decl->params = ast.copy<VarDecl *>(params);
     decl->body = parseBlock();
-  } else {
-    skipToDeclaration();
   }
   function = decl->outer;
   return ok ? decl : nullptr;

@@ -55,6 +55,7 @@ private:
   void skipStatement();
   void skipToDeclaration();
   void skipBrackets();
+  void skipBody();
 
   // Declarations
   void parseTopLevel();

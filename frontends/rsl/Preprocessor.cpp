@@ -18,22 +18,30 @@ Preprocessor::Preprocessor(DiagnosticEngine &diags, PreprocessorOptions options)
 
 Preprocessor::~Preprocessor() = default;
 
-std::vector<Token> Preprocessor::run(StringRef path) {
+void Preprocessor::enterBuffer(unsigned buffer) {
+  auto source = std::make_unique<Source>();
+  source->lexer = std::make_unique<Lexer>(diags.text(buffer), diags, saver);
+  source->buffer = buffer;
+  source->openConditions = conditions.size();
+  stack.push_back(std::move(source));
+}
+
+std::vector<Token> Preprocessor::run(StringRef path, std::optional<StringRef> text) {
   std::vector<Token> tokens;
-  if (!enterFile(path, SMLoc()))
+  if (text) {
+    enterBuffer(diags.addText(path, *text));
+    files.push_back(path.str());
+  } else if (!enterFile(path, SMLoc())) {
     return {Token()};
+  }
   if (!options.defines.empty()) {
     // The command line's macros are a file of their own that is read first.
-    std::string text;
+    std::string lines;
     for (StringRef define : options.defines) {
       auto [name, value] = define.split('=');
-      text += ("#define " + name + " " + (define.contains('=') ? value : "1") + "\n").str();
+      lines += ("#define " + name + " " + (define.contains('=') ? value : "1") + "\n").str();
     }
-    unsigned buffer = diags.addText("<command line>", text);
-    auto source = std::make_unique<Source>();
-    source->lexer = std::make_unique<Lexer>(diags.text(buffer), diags, saver);
-    source->buffer = buffer;
-    stack.push_back(std::move(source));
+    enterBuffer(diags.addText("<command line>", lines));
   }
   while (true) {
     Token token = lex();

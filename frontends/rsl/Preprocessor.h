@@ -30,8 +30,10 @@ public:
   ~Preprocessor();
 
   /// Reads a file ("-": standard input) to its end. The last word is End. A file that cannot be read
-  /// is reported and gives End alone.
-  std::vector<Token> run(llvm::StringRef path);
+  /// is reported and gives End alone. With \p text that is what the file is taken to contain.
+  std::vector<Token> run(llvm::StringRef path, std::optional<llvm::StringRef> text = std::nullopt);
+  /// Whether a file was missing, so that what follows from its absence is not worth reporting.
+  bool isIncomplete() const { return missedFile; }
   /// Every file read so far, the main one first.
   llvm::ArrayRef<std::string> dependencies() const { return files; }
 
@@ -80,6 +82,7 @@ private:
   void dropExpansions();
 
   bool enterFile(llvm::StringRef path, llvm::SMLoc from);
+  void enterBuffer(unsigned buffer);
   Lexer &lexer();
   void directive();
   void endDirective();
@@ -105,6 +108,7 @@ private:
   std::vector<std::string> files;
   size_t made = 0; ///< words so far, against macros that grow without bounds
   bool gaveUp = false;
+  bool missedFile = false;
 };
 
 } // namespace anysl::rsl
