@@ -18,20 +18,88 @@ constexpr double far = 1e30;
 
 const Environment &world(void *renderer) { return *static_cast<const Environment *>(renderer); }
 
+/// What the world looks like in a direction, of any length. Without branches, so that the packet
+/// form below becomes vector code. A length of zero sees nothing; double precision holds every
+/// float's square.
+struct Sky {
+  static void look(double x, double y, double z, double *color) {
+    static constexpr double horizon[3] = {0.9, 0.95, 1}, zenith[3] = {0.25, 0.5, 0.9};
+    static constexpr double ground[3] = {0.3, 0.25, 0.2};
+    double length = std::sqrt(x * x + y * y + z * z);
+    double up = z / (length > 0 ? length : 1);
+    for (int c = 0; c < 3; ++c) {
+      double above = horizon[c] * (1 - up) + zenith[c] * up;
+      double seen = up < 0 ? ground[c] : above;
+      color[c] = length > 0 ? seen : 0;
+    }
+  }
+};
+
+struct Direction {
+  static void look(double x, double y, double z, double *color) {
+    double length = std::sqrt(x * x + y * y + z * z);
+    double whole = length > 0 ? length : 1, half = length > 0 ? 0.5 : 0;
+    color[0] = half + 0.5 * (x / whole);
+    color[1] = half + 0.5 * (y / whole);
+    color[2] = half + 0.5 * (z / whole);
+  }
+};
+
+struct Black {
+  static void look(double, double, double, double *color) { color[0] = color[1] = color[2] = 0; }
+};
+
 void trace(void *renderer, const AnyslShadeArgs *, uint32_t, const double *, const double *R,
            double *color) {
-  static constexpr double horizon[3] = {0.9, 0.95, 1}, zenith[3] = {0.25, 0.5, 0.9};
-  static constexpr double ground[3] = {0.3, 0.25, 0.2};
-  double length = std::hypot(R[0], R[1], R[2]);
-  Surroundings surroundings = world(renderer).surroundings;
-  for (int c = 0; c < 3; ++c) {
-    double up = R[2] / length;
-    if (!(length > 0) || surroundings == Surroundings::Black)
-      color[c] = 0;
-    else if (surroundings == Surroundings::Direction)
-      color[c] = (1 + R[c] / length) / 2;
-    else
-      color[c] = up < 0 ? ground[c] : horizon[c] * (1 - up) + zenith[c] * up;
+  switch (world(renderer).surroundings) {
+  case Surroundings::Sky:
+    return Sky::look(R[0], R[1], R[2], color);
+  case Surroundings::Direction:
+    return Direction::look(R[0], R[1], R[2], color);
+  case Surroundings::Black:
+    return Black::look(R[0], R[1], R[2], color);
+  }
+}
+
+template <class World>
+void lookPacket(uint32_t width, uint32_t mask, const float *__restrict R, float *__restrict color) {
+  for (uint32_t lane = 0; lane < width; ++lane) {
+    // Points that do not ask hold anything at all, also what would raise a floating-point
+    // exception.
+    bool asks = mask >> lane & 1;
+    double x = asks ? R[lane] : 0, y = asks ? R[width + lane] : 0,
+           z = asks ? R[2 * width + lane] : 1;
+    double seen[3];
+    World::look(x, y, z, seen);
+    color[lane] = float(seen[0]);
+    color[width + lane] = float(seen[1]);
+    color[2 * width + lane] = float(seen[2]);
+  }
+}
+
+template <class World>
+void lookPacketOf(uint32_t width, uint32_t mask, const float *R, float *color) {
+  switch (width) { // loops of a known length
+  case 4:
+    return lookPacket<World>(4, mask, R, color);
+  case 8:
+    return lookPacket<World>(8, mask, R, color);
+  case 16:
+    return lookPacket<World>(16, mask, R, color);
+  default:
+    return lookPacket<World>(width, mask, R, color);
+  }
+}
+
+void tracePacket(void *renderer, const AnyslShadeArgs *, uint32_t, uint32_t width, uint32_t mask,
+                 const float *, const float *R, float *color) {
+  switch (world(renderer).surroundings) {
+  case Surroundings::Sky:
+    return lookPacketOf<Sky>(width, mask, R, color);
+  case Surroundings::Direction:
+    return lookPacketOf<Direction>(width, mask, R, color);
+  case Surroundings::Black:
+    return lookPacketOf<Black>(width, mask, R, color);
   }
 }
 
@@ -50,7 +118,7 @@ void transmission(void *renderer, const AnyslShadeArgs *, uint32_t, const double
   color[0] = color[1] = color[2] = hidden ? 0 : 1;
 }
 
-/// Serves the lanes of a packet one by one, so that every width gets the very same numbers.
+/// Serves the lanes of a packet one by one.
 template <class Ask>
 void forLanes(uint32_t width, uint32_t mask, const float *a, const float *b, Ask ask) {
   for (uint32_t lane = 0; lane < width; ++lane) {
@@ -65,12 +133,11 @@ void forLanes(uint32_t width, uint32_t mask, const float *a, const float *b, Ask
   }
 }
 
-template <auto service>
-void colorPacket(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
-                 uint32_t mask, const float *a, const float *b, float *color) {
-  forLanes(width, mask, a, b, [&](uint32_t lane, const double *wideA, const double *wideB) {
+void transmissionPacket(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                        uint32_t mask, const float *from, const float *to, float *color) {
+  forLanes(width, mask, from, to, [&](uint32_t lane, const double *wideFrom, const double *wideTo) {
     double result[3];
-    service(renderer, args, first + lane, wideA, wideB, result);
+    transmission(renderer, args, first + lane, wideFrom, wideTo, result);
     for (uint32_t c = 0; c < 3; ++c)
       color[c * width + lane] = float(result[c]);
   });
@@ -111,11 +178,11 @@ AnyslServices environmentServices() {
   AnyslServices services = {};
   services.struct_size = sizeof services;
   services.trace = trace;
-  services.trace_packet = colorPacket<trace>;
+  services.trace_packet = tracePacket;
   services.trace_distance = traceDistance;
   services.trace_distance_packet = traceDistancePacket;
   services.transmission = transmission;
-  services.transmission_packet = colorPacket<transmission>;
+  services.transmission_packet = transmissionPacket;
   services.space_matrix = spaceMatrix;
   return services;
 }
