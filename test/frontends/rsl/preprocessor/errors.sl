@@ -1,7 +1,5 @@
 // RUN: rslc -verify -fsyntax-only %s
 
-#include "missing.h"       // expected-error {{cannot find 'missing.h'}}
-#include <nowhere.h>       // expected-error {{cannot find 'nowhere.h'}}
 #include                   // expected-error {{#include needs "FILE" or <FILE>}}
 #defin X                   // expected-error {{unknown directive '#defin'; did you mean 'define'?}}
 #define                    // expected-error {{a macro needs a name}}
