@@ -20,85 +20,92 @@ namespace anysl::tier {
 
 /// sin r = r + r z P(z), |r| <= pi/2. Error 2^-27.3.
 inline constexpr double SinPiU10[4] = {
-    -0x1.55554bca70812p-3, 0x1.110ed3b2a9144p-7, -0x1.9f70031630a0cp-13,
+    -0x1.55554bca70812p-3,
+    0x1.110ed3b2a9144p-7,
+    -0x1.9f70031630a0cp-13,
     0x1.5dbdf9a262598p-19,
 };
 /// sin r = r + r z P(z), |r| <= pi/2. Error 2^-61.5.
 inline constexpr double SinPiCr[8] = {
-    -0x1.5555555555555p-3, 0x1.11111111110c8p-7, -0x1.a01a01a014d6ep-13,
-    0x1.71de3a52a0a15p-19, -0x1.ae6454d468a3fp-26, 0x1.6123cd034ad99p-33,
-    -0x1.ae4383340a1fcp-41, 0x1.883283974fb34p-49,
+    -0x1.5555555555555p-3,  0x1.11111111110c8p-7,  -0x1.a01a01a014d6ep-13, 0x1.71de3a52a0a15p-19,
+    -0x1.ae6454d468a3fp-26, 0x1.6123cd034ad99p-33, -0x1.ae4383340a1fcp-41, 0x1.883283974fb34p-49,
 };
 /// the same, |r| <= pi/4. Error 2^-28.0.
 inline constexpr double SinU10[3] = {
-    -0x1.55554526b46b7p-3, 0x1.11073ab95de77p-7, -0x1.9943c7c600326p-13,
+    -0x1.55554526b46b7p-3,
+    0x1.11073ab95de77p-7,
+    -0x1.9943c7c600326p-13,
 };
 /// the same, |r| <= pi/4. Error 2^-57.9.
 inline constexpr double SinCr[6] = {
-    -0x1.5555555555548p-3, 0x1.111111110f72fp-7, -0x1.a01a019be90b4p-13,
+    -0x1.5555555555548p-3, 0x1.111111110f72fp-7,   -0x1.a01a019be90b4p-13,
     0x1.71de3555361a5p-19, -0x1.ae5e4bab3de70p-26, 0x1.5d8b6a30f4eefp-33,
 };
 /// cos r = 1 - z/2 + z^2 P(z), |r| <= pi/4. Error 2^-33.0.
 inline constexpr double CosU10[3] = {
-    0x1.55554a10964c9p-5, -0x1.6c0c332514b19p-10, 0x1.99eb76f4c848fp-16,
+    0x1.55554a10964c9p-5,
+    -0x1.6c0c332514b19p-10,
+    0x1.99eb76f4c848fp-16,
 };
 /// the same. Error 2^-63.9.
 inline constexpr double CosCr[6] = {
-    0x1.555555555554bp-5, -0x1.6c16c16c15015p-10, 0x1.a01a019c8f195p-16,
-    -0x1.27e4f7f17d1fdp-22, 0x1.1ee9dbb9657e7p-29, -0x1.8fa675ab81138p-37,
+    0x1.555555555554bp-5,   -0x1.6c16c16c15015p-10, 0x1.a01a019c8f195p-16,
+    -0x1.27e4f7f17d1fdp-22, 0x1.1ee9dbb9657e7p-29,  -0x1.8fa675ab81138p-37,
 };
 /// 2^f = 1 + f P(f), |f| <= 1/2. Error 2^-28.9.
 inline constexpr double Exp2U10[6] = {
-    0x1.62e430aea4decp-1, 0x1.ebfbdc2da67c7p-3, 0x1.c6aee931eb9f1p-5,
+    0x1.62e430aea4decp-1, 0x1.ebfbdc2da67c7p-3,  0x1.c6aee931eb9f1p-5,
     0x1.3b2d57d6830fdp-7, 0x1.5f3e0bf705dcap-10, 0x1.41f45bfaf6771p-13,
 };
 /// the same, error relative to 2^f - 1. Error 2^-32.0.
 inline constexpr double Expm1U10[7] = {
-    0x1.62e42fefd377ep-1, 0x1.ebfbe0452e01dp-3, 0x1.c6b08cb17936cp-5,
-    0x1.3b2a1c30de5bbp-7, 0x1.5d88beae3f826p-10, 0x1.443f6e244fb1cp-13,
-    0x1.ffc9e0eba31f3p-17,
+    0x1.62e42fefd377ep-1,  0x1.ebfbe0452e01dp-3,  0x1.c6b08cb17936cp-5,  0x1.3b2a1c30de5bbp-7,
+    0x1.5d88beae3f826p-10, 0x1.443f6e244fb1cp-13, 0x1.ffc9e0eba31f3p-17,
 };
 /// e^r = 1 + r P(r), |r| <= log(2)/2, error relative to e^r - 1. Error 2^-55.6.
 inline constexpr double ExpCr[11] = {
-    0x1.0000000000000p+0, 0x1.0000000000005p-1, 0x1.555555555554fp-3,
-    0x1.5555555552269p-5, 0x1.1111111114d12p-7, 0x1.6c16c17ecb85cp-10,
-    0x1.a01a01878768bp-13, 0x1.a019a7c11447cp-16, 0x1.71de64d68e0efp-19,
-    0x1.28a185a321bc8p-22, 0x1.ae9ce9ba4633bp-26,
+    0x1.0000000000000p+0,  0x1.0000000000005p-1,  0x1.555555555554fp-3,  0x1.5555555552269p-5,
+    0x1.1111111114d12p-7,  0x1.6c16c17ecb85cp-10, 0x1.a01a01878768bp-13, 0x1.a019a7c11447cp-16,
+    0x1.71de64d68e0efp-19, 0x1.28a185a321bc8p-22, 0x1.ae9ce9ba4633bp-26,
 };
 /// e^r = 1 + r + r^2 P(r), |r| <= log(2)/2. Error 2^-63.8.
 inline constexpr double Exp64[11] = {
-    0x1.0000000000000p-1, 0x1.555555555555ap-3, 0x1.5555555555531p-5,
-    0x1.111111110f16bp-7, 0x1.6c16c16c26fccp-10, 0x1.a01a01b1e1fabp-13,
-    0x1.a01a0151ce5fdp-16, 0x1.71ddf38f8bfe9p-19, 0x1.27e58f68fc74bp-22,
-    0x1.af66ac0ca8190p-26, 0x1.1e623d27497b2p-29,
+    0x1.0000000000000p-1,  0x1.555555555555ap-3,  0x1.5555555555531p-5,  0x1.111111110f16bp-7,
+    0x1.6c16c16c26fccp-10, 0x1.a01a01b1e1fabp-13, 0x1.a01a0151ce5fdp-16, 0x1.71ddf38f8bfe9p-19,
+    0x1.27e58f68fc74bp-22, 0x1.af66ac0ca8190p-26, 0x1.1e623d27497b2p-29,
 };
 /// sinh r = r + r z P(z), |r| <= 3/8. Error 2^-64.9.
 inline constexpr double Sinh64[6] = {
-    0x1.5555555555555p-3, 0x1.111111111132ep-7, 0x1.a01a019f03b65p-13,
+    0x1.5555555555555p-3,  0x1.111111111132ep-7,  0x1.a01a019f03b65p-13,
     0x1.71de3e3e45577p-19, 0x1.ae5784ba761f0p-26, 0x1.711158e0eb91cp-33,
 };
 /// log(1+f) = f - f^2/2 + f^3 P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-30.3.
 inline constexpr double LogU10[9] = {
-    0x1.555547686080ep-2, -0x1.00000645b89d9p-2, 0x1.99a4b5d35b253p-3,
-    -0x1.555c5bca15326p-3, 0x1.233771aaf1915p-3, -0x1.fc20869e32a63p-4,
-    0x1.e6ee3e1875bf2p-4, -0x1.de4287362f6d6p-4, 0x1.146382d6e4292p-4,
+    0x1.555547686080ep-2,  -0x1.00000645b89d9p-2, 0x1.99a4b5d35b253p-3,
+    -0x1.555c5bca15326p-3, 0x1.233771aaf1915p-3,  -0x1.fc20869e32a63p-4,
+    0x1.e6ee3e1875bf2p-4,  -0x1.de4287362f6d6p-4, 0x1.146382d6e4292p-4,
+};
+/// atanh s = s + s z P(z), the same range. Error 2^-22.7.
+inline constexpr double AtanhFast[2] = {
+    0x1.5546db64042eap-2,
+    0x1.a5e8fee1b619ep-3,
 };
 /// atanh s = s + s z P(z), the same range. Error 2^-37.6.
 inline constexpr double AtanhPow[4] = {
-    0x1.555554fdefc62p-2, 0x1.999a7a05759afp-3, 0x1.2438f59fc1f80p-3,
+    0x1.555554fdefc62p-2,
+    0x1.999a7a05759afp-3,
+    0x1.2438f59fc1f80p-3,
     0x1.e2f24b1bba993p-4,
 };
 /// atanh s = s + s z P(z), the same range. Error 2^-59.5.
 inline constexpr double AtanhCr[7] = {
-    0x1.5555555555592p-2, 0x1.999999997ff61p-3, 0x1.24924941dbc94p-3,
-    0x1.c71c52198b8e9p-4, 0x1.74663bc408467p-4, 0x1.39a2081d04936p-4,
-    0x1.2f027704fedd5p-4,
+    0x1.5555555555592p-2, 0x1.999999997ff61p-3, 0x1.24924941dbc94p-3, 0x1.c71c52198b8e9p-4,
+    0x1.74663bc408467p-4, 0x1.39a2081d04936p-4, 0x1.2f027704fedd5p-4,
 };
 /// atanh s = s (1 + z/3 + z^2/5 + z^3 P(z)). Error 2^-72.8.
 inline constexpr double AtanhTail64[7] = {
-    0x1.24924924927ccp-3, 0x1.c71c71c65a486p-4, 0x1.745d17d73ca71p-4,
-    0x1.3b13784084830p-4, 0x1.111dcc469d25ap-4, 0x1.de9ee631486a2p-5,
-    0x1.e7dc5d1a81566p-5,
+    0x1.24924924927ccp-3, 0x1.c71c71c65a486p-4, 0x1.745d17d73ca71p-4, 0x1.3b13784084830p-4,
+    0x1.111dcc469d25ap-4, 0x1.de9ee631486a2p-5, 0x1.e7dc5d1a81566p-5,
 };
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-27.6.
 inline constexpr double AsinU10[5] = {
@@ -107,36 +114,36 @@ inline constexpr double AsinU10[5] = {
 };
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-55.9.
 inline constexpr double AsinCr[12] = {
-    0x1.5555555555391p-3, 0x1.333333336e6c1p-4, 0x1.6db6db4284e80p-5,
-    0x1.f1c72c3616317p-6, 0x1.6e89f47d48f8bp-6, 0x1.1c6bde70b3273p-6,
-    0x1.c6fdf9d3d8db8p-7, 0x1.8ec1bacb4fb25p-7, 0x1.abd8a9130f3f1p-8,
-    0x1.3fef5f6be4010p-6, -0x1.09cc849afdc91p-6, 0x1.056bb5745ec94p-5,
+    0x1.5555555555391p-3, 0x1.333333336e6c1p-4, 0x1.6db6db4284e80p-5,  0x1.f1c72c3616317p-6,
+    0x1.6e89f47d48f8bp-6, 0x1.1c6bde70b3273p-6, 0x1.c6fdf9d3d8db8p-7,  0x1.8ec1bacb4fb25p-7,
+    0x1.abd8a9130f3f1p-8, 0x1.3fef5f6be4010p-6, -0x1.09cc849afdc91p-6, 0x1.056bb5745ec94p-5,
 };
 /// atan t = t + t z P(z), |t| <= tan(pi/8). Error 2^-30.5.
 inline constexpr double AtanU10[5] = {
-    -0x1.5555492816b8bp-2, 0x1.999195e75bb6cp-3, -0x1.23b51b48316b9p-3,
-    0x1.b1ebc06fdfbf8p-4, -0x1.f1ebd835a93d2p-5,
+    -0x1.5555492816b8bp-2, 0x1.999195e75bb6cp-3,  -0x1.23b51b48316b9p-3,
+    0x1.b1ebc06fdfbf8p-4,  -0x1.f1ebd835a93d2p-5,
 };
 /// atan t = t + t z P(z), |t| <= tan(pi/8). Error 2^-59.4.
 inline constexpr double AtanCr[11] = {
-    -0x1.555555555553dp-2, 0x1.999999999586ep-3, -0x1.24924922ad7b3p-3,
-    0x1.c71c70e619a4ap-4, -0x1.745cf8dd7e9dbp-4, 0x1.3b11192ee1198p-4,
-    -0x1.10ebb91bc406dp-4, 0x1.df0f57b2f8130p-5, -0x1.9cd2f7a14609bp-5,
-    0x1.37d640e00785dp-5, -0x1.256bc08064a41p-6,
+    -0x1.555555555553dp-2, 0x1.999999999586ep-3, -0x1.24924922ad7b3p-3, 0x1.c71c70e619a4ap-4,
+    -0x1.745cf8dd7e9dbp-4, 0x1.3b11192ee1198p-4, -0x1.10ebb91bc406dp-4, 0x1.df0f57b2f8130p-5,
+    -0x1.9cd2f7a14609bp-5, 0x1.37d640e00785dp-5, -0x1.256bc08064a41p-6,
 };
 /// m^(-1/3), m in [1, 2], to start iterating from. Error 2^-14.7.
 inline constexpr double InverseCbrtU10[5] = {
-    0x1.ab85748cebce7p+0, -0x1.2c411eb6504ffp+0, 0x1.6413ce1fc4400p-1,
+    0x1.ab85748cebce7p+0,  -0x1.2c411eb6504ffp+0, 0x1.6413ce1fc4400p-1,
     -0x1.c512524e141f3p-3, 0x1.d465a32a1ddc7p-6,
 };
 /// m^(-1/3), m in [1, 2], to start iterating from. Error 2^-17.4.
 inline constexpr double InverseCbrtCr[6] = {
-    0x1.c7f3a567104e5p+0, -0x1.90e80316d7264p+0, 0x1.3e69992e51c07p+0,
-    -0x1.321d526b2afbep-1, 0x1.3fa35eb6db5f7p-3, -0x1.16d79d744079ap-6,
+    0x1.c7f3a567104e5p+0,  -0x1.90e80316d7264p+0, 0x1.3e69992e51c07p+0,
+    -0x1.321d526b2afbep-1, 0x1.3fa35eb6db5f7p-3,  -0x1.16d79d744079ap-6,
 };
 /// sin r = r + r z P(z), |r| <= pi/2. Error 2^-27.2.
 inline constexpr float SinPiU35[4] = {
-    -0x1.55554c0000000p-3f, 0x1.110ed40000000p-7f, -0x1.9f6f200000000p-13f,
+    -0x1.55554c0000000p-3f,
+    0x1.110ed40000000p-7f,
+    -0x1.9f6f200000000p-13f,
     0x1.5da7f00000000p-19f,
 };
 /// tan r = r + r z P(z), |r| <= pi/4. Error 2^-25.6.
@@ -146,12 +153,14 @@ inline constexpr float TanU35[6] = {
 };
 /// e^r = 1 + r + r^2 P(r), |r| <= log(2)/2. Error 2^-23.2.
 inline constexpr float ExpU35[4] = {
-    0x1.fffdfc0000000p-2f, 0x1.5557ac0000000p-3f, 0x1.572a300000000p-5f,
+    0x1.fffdfc0000000p-2f,
+    0x1.5557ac0000000p-3f,
+    0x1.572a300000000p-5f,
     0x1.1064d80000000p-7f,
 };
 /// 2^f = 1 + f P(f), |f| <= 1/2. Error 2^-28.3.
 inline constexpr float Exp2U35[6] = {
-    0x1.62e4300000000p-1f, 0x1.ebfbdc0000000p-3f, 0x1.c6af7c0000000p-5f,
+    0x1.62e4300000000p-1f, 0x1.ebfbdc0000000p-3f,  0x1.c6af7c0000000p-5f,
     0x1.3b2de00000000p-7f, 0x1.5f08360000000p-10f, 0x1.416b8a0000000p-13f,
 };
 /// e^r = 1 + r P(r), error relative to e^r - 1. Error 2^-26.1.
@@ -161,107 +170,106 @@ inline constexpr float Expm1U35[6] = {
 };
 /// log(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-25.0.
 inline constexpr float LogU35[9] = {
-    0x1.0000000000000p+0f, -0x1.fffffa0000000p-2f, 0x1.5556f00000000p-2f,
-    -0x1.0004a80000000p-2f, 0x1.98d3940000000p-3f, -0x1.535c260000000p-3f,
-    0x1.317d980000000p-3f, -0x1.2505d60000000p-3f, 0x1.65e7ce0000000p-4f,
+    0x1.0000000000000p+0f,  -0x1.fffffa0000000p-2f, 0x1.5556f00000000p-2f,
+    -0x1.0004a80000000p-2f, 0x1.98d3940000000p-3f,  -0x1.535c260000000p-3f,
+    0x1.317d980000000p-3f,  -0x1.2505d60000000p-3f, 0x1.65e7ce0000000p-4f,
 };
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-23.4.
 inline constexpr float AsinU35[4] = {
-    0x1.554fa40000000p-3f, 0x1.34dbfc0000000p-4f, 0x1.47faee0000000p-5f,
+    0x1.554fa40000000p-3f,
+    0x1.34dbfc0000000p-4f,
+    0x1.47faee0000000p-5f,
     0x1.992f180000000p-5f,
 };
 /// atan t = t + t z P(z), |t| <= 1. Error 2^-25.8.
 inline constexpr float AtanU35[8] = {
-    -0x1.5554dc0000000p-2f, 0x1.9978ea0000000p-3f, -0x1.230a7a0000000p-3f,
-    0x1.b4ddd60000000p-4f, -0x1.354f620000000p-4f, 0x1.61ecc80000000p-5f,
-    -0x1.0c17f20000000p-6f, 0x1.7eac420000000p-9f,
+    -0x1.5554dc0000000p-2f, 0x1.9978ea0000000p-3f, -0x1.230a7a0000000p-3f, 0x1.b4ddd60000000p-4f,
+    -0x1.354f620000000p-4f, 0x1.61ecc80000000p-5f, -0x1.0c17f20000000p-6f, 0x1.7eac420000000p-9f,
 };
 /// m^(-1/3), m in [1, 2]. Error 2^-12.0.
 inline constexpr float InverseCbrtU35[4] = {
-    0x1.8ab8ee0000000p+0f, -0x1.9eb14a0000000p-1f, 0x1.455e340000000p-2f,
+    0x1.8ab8ee0000000p+0f,
+    -0x1.9eb14a0000000p-1f,
+    0x1.455e340000000p-2f,
     -0x1.990bbe0000000p-5f,
 };
 /// sin r = r + r z P(z), |r| <= pi/2. Error 2^-12.8.
 inline constexpr float SinPiFast[2] = {
-    -0x1.5435d20000000p-3f, 0x1.f556c20000000p-8f,
+    -0x1.5435d20000000p-3f,
+    0x1.f556c20000000p-8f,
 };
 /// tan r = r + r z P(z), |r| <= pi/4. Error 2^-14.2.
 inline constexpr float TanFast[3] = {
-    0x1.570fba0000000p-2f, 0x1.e1fdca0000000p-4f, 0x1.7bb8ce0000000p-4f,
+    0x1.570fba0000000p-2f,
+    0x1.e1fdca0000000p-4f,
+    0x1.7bb8ce0000000p-4f,
 };
 /// e^r = 1 + r + r^2 P(r), |r| <= log(2)/2. Error 2^-13.0.
 inline constexpr float ExpFast[2] = {
-    0x1.0204b40000000p-1f, 0x1.5541ac0000000p-3f,
+    0x1.0204b40000000p-1f,
+    0x1.5541ac0000000p-3f,
 };
 /// 2^f = 1 + f P(f), |f| <= 1/2. Error 2^-13.3.
 inline constexpr float Exp2Fast[3] = {
-    0x1.62f5fe0000000p-1f, 0x1.f00c720000000p-3f, 0x1.c2a1b00000000p-5f,
+    0x1.62f5fe0000000p-1f,
+    0x1.f00c720000000p-3f,
+    0x1.c2a1b00000000p-5f,
 };
 /// e^r = 1 + r P(r), error relative to e^r - 1. Error 2^-16.0.
 inline constexpr float Expm1Fast[4] = {
-    0x1.fffe0c0000000p-1f, 0x1.0001960000000p-1f, 0x1.5762480000000p-3f,
+    0x1.fffe0c0000000p-1f,
+    0x1.0001960000000p-1f,
+    0x1.5762480000000p-3f,
     0x1.555d3c0000000p-5f,
 };
 /// log(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-14.3.
 inline constexpr float LogFast[5] = {
-    0x1.fffb900000000p-1f, -0x1.ff70000000000p-2f, 0x1.58767e0000000p-2f,
+    0x1.fffb900000000p-1f,  -0x1.ff70000000000p-2f, 0x1.58767e0000000p-2f,
     -0x1.15726a0000000p-2f, 0x1.69a0600000000p-3f,
 };
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-14.7.
 inline constexpr float AsinFast[2] = {
-    0x1.5209ac0000000p-3f, 0x1.82411c0000000p-4f,
+    0x1.5209ac0000000p-3f,
+    0x1.82411c0000000p-4f,
 };
 /// atan t = t + t z P(z), |t| <= 1. Error 2^-14.8.
 inline constexpr float AtanFast[4] = {
-    -0x1.541a7c0000000p-2f, 0x1.7e9c280000000p-3f, -0x1.81778a0000000p-4f,
+    -0x1.541a7c0000000p-2f,
+    0x1.7e9c280000000p-3f,
+    -0x1.81778a0000000p-4f,
     0x1.970fd60000000p-6f,
 };
 /// m^(-1/3), m in [1, 2]. Error 2^-9.1.
 inline constexpr float InverseCbrtFast[3] = {
-    0x1.635e8c0000000p+0f, -0x1.eeedc20000000p-2f, 0x1.7e90ea0000000p-4f,
+    0x1.635e8c0000000p+0f,
+    -0x1.eeedc20000000p-2f,
+    0x1.7e90ea0000000p-4f,
 };
 /// e^r = 1 + r + r^2 P(r), |r| <= log(2)/2. Error 2^-28.2.
 inline constexpr float ExpFloat[5] = {
-    0x1.fffffc0000000p-2f, 0x1.5554940000000p-3f, 0x1.5558be0000000p-5f,
+    0x1.fffffc0000000p-2f, 0x1.5554940000000p-3f,  0x1.5558be0000000p-5f,
     0x1.12385a0000000p-7f, 0x1.6a3d320000000p-10f,
 };
 /// log(1+f) = f - f^2/2 + f^3 P(f). Error 2^-30.3.
 inline constexpr float LogFloat[9] = {
-    0x1.5555480000000p-2f, -0x1.0000060000000p-2f, 0x1.99a4760000000p-3f,
-    -0x1.555c420000000p-3f, 0x1.233b980000000p-3f, -0x1.fc29260000000p-4f,
-    0x1.e6c1a20000000p-4f, -0x1.de011a0000000p-4f, 0x1.146e340000000p-4f,
-};
-/// log2(1+f) = f / log 2 + f^2 P(f). Error 2^-30.2.
-inline constexpr float Log2Float[10] = {
-    -0x1.7154760000000p-1f, 0x1.ec708c0000000p-2f, -0x1.7154ac0000000p-2f,
-    0x1.277e640000000p-2f, -0x1.ec71c40000000p-3f, 0x1.a42b020000000p-3f,
-    -0x1.6ef0b20000000p-3f, 0x1.5f5a1c0000000p-3f, -0x1.57413a0000000p-3f,
-    0x1.8adc0c0000000p-4f,
-};
-/// log10(1+f) = f / log 10 + f^2 P(f). Error 2^-29.9.
-inline constexpr float Log10Float[10] = {
-    -0x1.bcb7b20000000p-3f, 0x1.287a700000000p-3f, -0x1.bcb75c0000000p-4f,
-    0x1.63cd1c0000000p-4f, -0x1.2887f40000000p-4f, 0x1.fa4a980000000p-5f,
-    -0x1.b909c40000000p-5f, 0x1.a437720000000p-5f, -0x1.9f1dfe0000000p-5f,
-    0x1.e918ea0000000p-6f,
+    0x1.5555480000000p-2f,  -0x1.0000060000000p-2f, 0x1.99a4760000000p-3f,
+    -0x1.555c420000000p-3f, 0x1.233b980000000p-3f,  -0x1.fc29260000000p-4f,
+    0x1.e6c1a20000000p-4f,  -0x1.de011a0000000p-4f, 0x1.146e340000000p-4f,
 };
 
 /// 1/pi without the bits that give multiples of 2 when multiplied by a float of exponent 16 j to
 /// 16 j + 15, in three parts; products of a float with the first two are exact.
 inline constexpr double InversePi0[8] = {
-    0x1.4000000000000p-2, 0x1.45f3000000000p-2, 0x1.f306dc8000000p-10,
-    0x1.6e4e441000000p-25, 0x1.1054a7c000000p-43, 0x1.29fc275000000p-57,
-    0x1.3abe8f8000000p-76, 0x1.d1f534d000000p-89,
+    0x1.4000000000000p-2,  0x1.45f3000000000p-2,  0x1.f306dc8000000p-10, 0x1.6e4e441000000p-25,
+    0x1.1054a7c000000p-43, 0x1.29fc275000000p-57, 0x1.3abe8f8000000p-76, 0x1.d1f534d000000p-89,
 };
 inline constexpr double InversePi1[8] = {
-    0x1.7cc1b70000000p-8, 0x1.b727220000000p-24, 0x1.c882a53000000p-38,
-    0x1.4a7f09c000000p-55, 0x1.84eafa3000000p-70, 0x1.f47d4d2000000p-87,
-    0x1.4d37702000000p-103, 0x1.b81b6c5000000p-118,
+    0x1.7cc1b70000000p-8,  0x1.b727220000000p-24, 0x1.c882a53000000p-38,  0x1.4a7f09c000000p-55,
+    0x1.84eafa3000000p-70, 0x1.f47d4d2000000p-87, 0x1.4d37702000000p-103, 0x1.b81b6c5000000p-118,
 };
 inline constexpr double InversePi2[8] = {
-    0x1.391054a7f09d6p-35, 0x1.529fc2757d1f5p-53, 0x1.f09d5f47d4d37p-67,
-    0x1.5f47d4d377037p-83, 0x1.d4d377036d8a5p-99, 0x1.77036d8a5664fp-115,
-    0x1.6d8a5664f10e4p-131, 0x1.5993c439041fep-149,
+    0x1.391054a7f09d6p-35, 0x1.529fc2757d1f5p-53,  0x1.f09d5f47d4d37p-67,  0x1.5f47d4d377037p-83,
+    0x1.d4d377036d8a5p-99, 0x1.77036d8a5664fp-115, 0x1.6d8a5664f10e4p-131, 0x1.5993c439041fep-149,
 };
 
 /// 2/pi from 64 zero bits before its point on, 32 bits a word.

@@ -91,6 +91,15 @@ inline constexpr float RoundShiftF = 0x1.8p23f;
 /// 2^n for −1022 <= n <= 1023.
 ANYSL_TIER double powerOfTwo(UInt64 n) { return fromBits((n + 1023) << 52); }
 
+/// y·2^n for −160 <= n <= 140, n in the low bits of `bits`: two factors, so that denormal results
+/// are rounded once and overflow happens at the end.
+ANYSL_TIER float scaleBy(float y, UInt32 bits) {
+  UInt32 half = (bits << 22) & 0xff800000u;
+  float first = fromBits(half + 0x3f800000u);
+  float second = fromBits((bits << 23) - half + 0x3f800000u);
+  return y * first * second;
+}
+
 /// A finite positive normal x as m · 2^exponent with m in [sqrt 1/2, sqrt 2).
 struct Decomposed {
   double m, exponent;

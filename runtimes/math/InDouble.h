@@ -20,6 +20,7 @@
 
 #include "runtimes/math/Coefficients.h"
 #include "runtimes/math/Core.h"
+#include "runtimes/math/Special.h"
 #include "runtimes/math/Turns.h"
 
 namespace anysl::tier {
@@ -288,13 +289,6 @@ ANYSL_TIER double logNear(double m) {
   return f + g * (f * horner(LogU10, f) - 0.5);
 }
 
-/// What log, log2 and log10 give for an x that is not positive and finite.
-ANYSL_TIER float logSpecial(float x) {
-  float y = x < 0 ? NotANumber<float> : x + x;
-  return x == 0 ? -Infinity<float> : y;
-}
-ANYSL_TIER bool isPositiveFinite(float x) { return x > 0 && x < Infinity<float>; }
-
 template <class C>
 ANYSL_TIER float logInDouble(float x) {
   Decomposed d = decompose(x);
@@ -317,21 +311,6 @@ ANYSL_TIER float log10InDouble(float x) {
 }
 
 //===-- pow -----------------------------------------------------------------//
-
-/// C's special cases of x^y, given the power of |x| for finite arguments; and x·x for y = 2, which
-/// shaders count on.
-ANYSL_TIER float powSpecial(float x, float y, float power) {
-  double n = double(y) + RoundShift;
-  bool integer = n - RoundShift == double(y);
-  bool odd = integer && magnitude(y) < 0x1p24f && (bitsOf(n) & 1);
-  bool negative = __builtin_signbit(x);
-  float a = magnitude(x);
-  power = negative && odd ? -power : power;
-  power = x < 0 && a < Infinity<float> && !integer ? NotANumber<float> : power;
-  power = y == 2 ? x * x : power;
-  bool one = y == 0 || x == 1 || (a == 1 && magnitude(y) == Infinity<float>);
-  return one ? 1.0f : power;
-}
 
 /// log2 |x| with −inf for 0, inf for inf, NaN for NaN.
 ANYSL_TIER float powShort(float x, float y) {

@@ -8,8 +8,8 @@
 #ifndef ANYSL_RUNTIMES_MATH_TIERU10_H
 #define ANYSL_RUNTIMES_MATH_TIERU10_H
 
-#include "runtimes/math/DoubleExpLog.h"
-#include "runtimes/math/DoubleTrig.h"
+#include "runtimes/math/Compensated.h"
+#include "runtimes/math/DoubleU10.h"
 #include "runtimes/math/InDouble.h"
 
 namespace anysl::tier::u10 {
@@ -24,11 +24,11 @@ ANYSL_TIER float atan2(float y, float x) { return atan2InDouble<ShortPolynomials
 ANYSL_TIER float sinh(float x) { return sinhInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float cosh(float x) { return coshInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float tanh(float x) { return tanhInDouble<ShortPolynomials>(x); }
-ANYSL_TIER float exp(float x) { return expInDouble<ShortPolynomials>(x); }
-ANYSL_TIER float exp2(float x) { return exp2InDouble<ShortPolynomials>(x); }
-ANYSL_TIER float log(float x) { return logInDouble<ShortPolynomials>(x); }
-ANYSL_TIER float log2(float x) { return log2InDouble<ShortPolynomials>(x); }
-ANYSL_TIER float log10(float x) { return log10InDouble<ShortPolynomials>(x); }
+ANYSL_TIER float exp(float x) { return expInFloatOnly(x); }
+ANYSL_TIER float exp2(float x) { return exp2InFloatOnly(x); }
+ANYSL_TIER float log(float x) { return logInFloatOnly(x); }
+ANYSL_TIER float log2(float x) { return logScaled(x, Base2()); }
+ANYSL_TIER float log10(float x) { return logScaled(x, Base10()); }
 ANYSL_TIER float pow(float x, float y) { return powShort(x, y); }
 ANYSL_TIER float cbrt(float x) { return cbrtInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float sqrt(float x) { return squareRoot(x); }
@@ -37,28 +37,9 @@ ANYSL_TIER float reciprocal(float x) { return 1 / x; }
 ANYSL_TIER float divide(float x, float y) { return x / y; }
 ANYSL_TIER float hypot(float x, float y) { return hypotInDouble(x, y); }
 
-ANYSL_TIER double sin(double x) { return sinOf(x); }
-ANYSL_TIER double cos(double x) { return cosOf(x); }
-ANYSL_TIER double tan(double x) { return tanOf(x); }
-ANYSL_TIER double asin(double x) { return asinOf(x); }
-ANYSL_TIER double acos(double x) { return acosOf(x); }
-ANYSL_TIER double atan(double x) { return atanOf(x); }
-ANYSL_TIER double atan2(double y, double x) { return atan2Of(y, x); }
-ANYSL_TIER double sinh(double x) { return sinhOf(x); }
-ANYSL_TIER double cosh(double x) { return coshOf(x); }
-ANYSL_TIER double tanh(double x) { return tanhOf(x); }
-ANYSL_TIER double exp(double x) { return expOf(x); }
-ANYSL_TIER double exp2(double x) { return exp2Of(x); }
-ANYSL_TIER double log(double x) { return logOf(x); }
-ANYSL_TIER double log2(double x) { return log2Of(x); }
-ANYSL_TIER double log10(double x) { return log10Of(x); }
-ANYSL_TIER double pow(double x, double y) { return powOf(x, y); }
-ANYSL_TIER double cbrt(double x) { return cbrtOf(x); }
-ANYSL_TIER double sqrt(double x) { return squareRoot(x); }
-ANYSL_TIER double inversesqrt(double x) { return inverseSqrtOf(x); }
-ANYSL_TIER double reciprocal(double x) { return 1 / x; }
-ANYSL_TIER double divide(double x, double y) { return x / y; }
-ANYSL_TIER double hypot(double x, double y) { return hypotOf(x, y); }
+#define MATH_UNARY(name, coreLow, coreHigh, fastBits) using u10double::name;
+#define MATH_BINARY(name, coreLowX, coreHighX, coreLowY, coreHighY, fastBits) using u10double::name;
+#include <anysl/MathFunctions.def>
 
 } // namespace anysl::tier::u10
 

@@ -29,59 +29,64 @@ def roundTo(value, bits):
     return mp.ldexp(mp.nint(mp.ldexp(m, bits)), e - bits)
 
 
-def remez(f, weight, a, b, basis):
-    """Coefficients c that minimise max |weight·(f − Σ c_i basis_i)| on [a, b], and that maximum."""
-    n = len(basis)
-    if n == 0:
-        grid = [a + (b - a) * i / 200 for i in range(201)]
-        return [], max(abs(weight(x) * f(x)) for x in grid)
-    points = [(a + b) / 2 + (b - a) / 2 * cos(pi * (n - i) / n) for i in range(n + 1)]
-    count = 24 * (n + 1)
+def remez(f, weight, a, b, terms):
+    """Coefficients that minimise max |weight·(f − Σ c_i x^i)| on [a, b], and that maximum."""
+    count = 24 * (terms + 1)
     grid = [(a + b) / 2 - (b - a) / 2 * cos(pi * i / count) for i in range(count + 1)]
-    table = [(f(x), weight(x), [g(x) for g in basis]) for x in grid]
+    # A weight may vanish inside, where the first coefficients are already fixed: no error there.
+    table = [(x, f(x), abs(weight(x))) for x in grid if x == a or x == b or abs(x) > (b - a) / 1000]
+    limit = TINY * max(row[2] for row in table)
+    table = [row for row in table if row[2] > limit]
+    start = [min(len(table) - 1, round(i * (len(table) - 1) / terms)) for i in range(terms + 1)] if terms else []
+    points = [table[i] for i in start]
     best = None
-    for _ in range(30):
-        A, rhs = matrix(n + 1, n + 1), matrix(n + 1, 1)
-        for i, x in enumerate(points):
-            w = weight(x) if abs(weight(x)) > TINY else TINY
-            for j in range(n):
-                A[i, j] = basis[j](x)
-            A[i, n] = (-1) ** i / w
-            rhs[i] = f(x)
-        solution = lu_solve(A, rhs)
-        c = [solution[j] for j in range(n)]
-        err = [w * (y - sum(ci * gi for ci, gi in zip(c, g))) for y, w, g in table]
-        top = max(abs(e) for e in err)
+    for _ in range(40):
+        c = []
+        if terms:
+            A, rhs = matrix(terms + 1, terms + 1), matrix(terms + 1, 1)
+            for i, (x, y, w) in enumerate(points):
+                for j in range(terms):
+                    A[i, j] = x ** j
+                A[i, terms] = (-1) ** i / w
+                rhs[i] = y
+            c = list(lu_solve(A, rhs))
+        level = abs(c.pop()) if c else 0
+        error = [w * (y - mp.polyval(c[::-1], x)) for x, y, w in table]
+        top = max(abs(e) for e in error)
         if best is None or top < best[1]:
             best = (c, top)
-        if top <= abs(solution[n]) * mpf('1.02'):
+        if not terms or top <= level * mpf('1.01'):
             break
-        # One extremum in each run of equal signs; drop the weaker end while there are too many.
+        # One extremum in each run of equal signs. Of too many, drop the weakest, with a neighbour where
+        # it stands between two of equal sign.
         runs = []
-        for x, e in zip(grid, err):
+        for row, e in zip(table, error):
             if runs and (runs[-1][1] > 0) == (e > 0):
                 if abs(e) > abs(runs[-1][1]):
-                    runs[-1] = (x, e)
+                    runs[-1] = (row, e)
             else:
-                runs.append((x, e))
-        while len(runs) > n + 1:
-            runs.pop(0 if abs(runs[0][1]) < abs(runs[-1][1]) else -1)
-        if len(runs) < n + 1:
+                runs.append((row, e))
+        while len(runs) > terms + 1:
+            i = min(range(len(runs)), key=lambda i: abs(runs[i][1]))
+            if i in (0, len(runs) - 1) or len(runs) == terms + 2:
+                runs.pop(0 if abs(runs[0][1]) < abs(runs[-1][1]) else -1)
+            else:
+                runs[i - 1:i + 2] = [max(runs[i - 1], runs[i + 1], key=lambda run: abs(run[1]))]
+        if len(runs) < terms + 1:
             break
-        points = [x for x, _ in runs]
+        points = [row for row, _ in runs]
     return best
 
 
 def polynomial(f, weight, a, b, terms, bits):
     """`terms` coefficients, each of `bits` bits; f, weight of x. Returns them and the error."""
-    powers = [(lambda x, k=k: x ** k) for k in range(terms)]
     fixed = []
-    for k in range(terms):
-        rest = lambda x: f(x) - sum(c * x ** i for i, c in enumerate(fixed))
-        c, _ = remez(rest, weight, a, b, powers[k:])
-        fixed.append(roundTo(c[0], bits))
-    rest = lambda x: f(x) - sum(c * x ** i for i, c in enumerate(fixed))
-    return fixed, remez(rest, weight, a, b, [])[1]
+    for k in range(terms + 1):
+        rest = lambda x: (f(x) - mp.polyval(fixed[::-1], x)) / x ** k
+        c, error = remez(rest, lambda x: weight(x) * x ** k, a, b, terms - k)
+        if c:
+            fixed.append(roundTo(c[0], bits))
+    return fixed, error
 
 
 TINY = mpf(10) ** -12
@@ -147,11 +152,11 @@ def table():
     add('CosCr', D, 6, cosP, cosW, Z, z4, 'the same')
     add('Exp2U10', D, 6, exp2P, exp2W, -half, half, '2^f = 1 + f P(f), |f| <= 1/2')
     add('Expm1U10', D, 7, exp2P, expm1W, -half, half, 'the same, error relative to 2^f - 1')
-    add('ExpCr', D, 12, expP1, expm1W1, -l, l, 'e^r = 1 + r P(r), |r| <= log(2)/2, error relative to e^r - 1')
+    add('ExpCr', D, 11, expP1, expm1W1, -l, l, 'e^r = 1 + r P(r), |r| <= log(2)/2, error relative to e^r - 1')
     add('Exp64', D, 11, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
     add('Sinh64', D, 6, sinhP, sinhW, Z, mpf(0.375) ** 2, 'sinh r = r + r z P(z), |r| <= 3/8')
     add('LogU10', D, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f), 1+f in [sqrt 1/2, sqrt 2]')
-    for q, n in (('Pow', 4), ('Cr', 7)):
+    for q, n in (('Fast', 2), ('Pow', 4), ('Cr', 7)):
         add(f'Atanh{q}', D, n, atanhP, atanhW, Z, smax, 'atanh s = s + s z P(z), the same range')
     add('AtanhTail64', D, 7, atanhTail, atanhTailW, mpf(10) ** -8, smax, 'atanh s = s (1 + z/3 + z^2/5 + z^3 P(z))')
     for q, n in (('U10', 5), ('Cr', 12)):
@@ -160,6 +165,24 @@ def table():
         add(f'Atan{q}', D, n, atanP, atanW, Z, at8, 'atan t = t + t z P(z), |t| <= tan(pi/8)')
     for q, n in (('U10', 5), ('Cr', 6)):
         add(f'InverseCbrt{q}', D, n, icbrt, icbrtW, mpf(1), mpf(2), 'm^(-1/3), m in [1, 2], to start iterating from')
+    # In float, with fused multiply-adds: u35 and fast.
+    exp1P = lambda r: mpf(1) if near(r) else mp.expm1(r) / r
+    log1P = lambda f: 1 - f / 2 if near(f) else log(1 + f) / f
+    log1W = lambda f: mpf(1) if near(f) else f / log(1 + f)
+    for q, sinN, tanN, expN, exp2N, expm1N, logN, asinN, atanN, cbrtN in (
+            ('U35', 4, 6, 4, 6, 6, 9, 4, 8, 4), ('Fast', 2, 3, 2, 3, 4, 5, 2, 4, 3)):
+        add(f'SinPi{q}', F, sinN, sinP, sinW, Z, z2 * mpf(1.01), 'sin r = r + r z P(z), |r| <= pi/2')
+        add(f'Tan{q}', F, tanN, tanP, tanW, Z, z4 * mpf(1.01), 'tan r = r + r z P(z), |r| <= pi/4')
+        add(f'Exp{q}', F, expN, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
+        add(f'Exp2{q}', F, exp2N, exp2P, exp2W, -half, half, '2^f = 1 + f P(f), |f| <= 1/2')
+        add(f'Expm1{q}', F, expm1N, exp1P, expm1W1, -l, l, 'e^r = 1 + r P(r), error relative to e^r - 1')
+        add(f'Log{q}', F, logN, log1P, log1W, lo, hi, 'log(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]')
+        add(f'Asin{q}', F, asinN, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
+        add(f'Atan{q}', F, atanN, atanP, atanW, Z, mpf(1), 'atan t = t + t z P(z), |t| <= 1')
+        add(f'InverseCbrt{q}', F, cbrtN, icbrt, icbrtW, mpf(1), mpf(2), 'm^(-1/3), m in [1, 2]')
+    # In float, without: u10.
+    add('ExpFloat', F, 5, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
+    add('LogFloat', F, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f)')
     return out
 
 

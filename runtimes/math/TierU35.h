@@ -1,0 +1,49 @@
+//===-- runtimes/math/TierU35.h - the tier u35: within 3.5 ULP --------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RUNTIMES_MATH_TIERU35_H
+#define ANYSL_RUNTIMES_MATH_TIERU35_H
+
+#include "runtimes/math/DoubleU10.h"
+#include "runtimes/math/InFloat.h"
+
+namespace anysl::tier::u35 {
+
+ANYSL_TIER float sin(float x) { return sinInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float cos(float x) { return cosInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float tan(float x) { return tanInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float asin(float x) { return asinInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float acos(float x) { return acosInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float atan(float x) { return atanInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float atan2(float y, float x) { return atan2InFloat<MediumPolynomials>(y, x); }
+ANYSL_TIER float sinh(float x) { return sinhInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float cosh(float x) { return coshInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float tanh(float x) { return tanhInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float exp(float x) { return expInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float exp2(float x) { return exp2InFloat<MediumPolynomials>(x); }
+ANYSL_TIER float log(float x) {
+  return logInFloat<MediumPolynomials>(x, 1, 0x1.62e43p-1f, -0x1.05c61p-29f);
+}
+ANYSL_TIER float log2(float x) { return logInFloat<MediumPolynomials>(x, 0x1.715476p+0f, 1, 0); }
+ANYSL_TIER float log10(float x) {
+  return logInFloat<MediumPolynomials>(x, 0x1.bcb7b2p-2f, 0x1.344136p-2f, -0x1.ec10cp-27f);
+}
+ANYSL_TIER float pow(float x, float y) { return powInFloat<MediumPolynomials>(x, y); }
+ANYSL_TIER float cbrt(float x) { return cbrtInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float sqrt(float x) { return squareRoot(x); }
+ANYSL_TIER float inversesqrt(float x) { return 1 / squareRoot(x); }
+ANYSL_TIER float reciprocal(float x) { return 1 / x; }
+ANYSL_TIER float divide(float x, float y) { return x / y; }
+ANYSL_TIER float hypot(float x, float y) { return hypotInFloat(x, y); }
+
+#define MATH_UNARY(name, coreLow, coreHigh, fastBits) using u10double::name;
+#define MATH_BINARY(name, coreLowX, coreHighX, coreLowY, coreHighY, fastBits) using u10double::name;
+#include <anysl/MathFunctions.def>
+
+} // namespace anysl::tier::u35
+
+#endif // ANYSL_RUNTIMES_MATH_TIERU35_H
