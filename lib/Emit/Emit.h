@@ -27,9 +27,9 @@ std::optional<OutputKind> outputKindOfFile(llvm::StringRef path);
 llvm::StringRef suffixOf(OutputKind kind);
 
 /// Writes a module. The file is there afterwards and whole, or nothing has changed and an error has
-/// been reported. A shared library exports what the module does, and needs libc and libm only where the
-/// code calls them. Native code is made from the module in place, which is of no use afterwards. `-`
-/// writes to standard output, unless it is a shared library.
+/// been reported. A shared library exports what the module does, and needs libc and libm only where
+/// the code calls them. Native code is made from the module in place, which is of no use
+/// afterwards. `-` writes to standard output, unless it is a shared library.
 bool emitModule(DiagnosticEngine &diags, llvm::Module &module, llvm::TargetMachine &target,
                 OutputKind kind, llvm::StringRef path);
 

@@ -21,16 +21,19 @@ namespace anysl {
 namespace {
 
 /// Where systems keep libc and libm. Folders that are not there do no harm.
-constexpr const char *libraryFolders[] = {"/lib/x86_64-linux-gnu", "/usr/lib/x86_64-linux-gnu",
-                                          "/lib64", "/usr/lib64", "/lib", "/usr/lib"};
+constexpr const char *libraryFolders[] = {"/lib/x86_64-linux-gnu",
+                                          "/usr/lib/x86_64-linux-gnu",
+                                          "/lib64",
+                                          "/usr/lib64",
+                                          "/lib",
+                                          "/usr/lib"};
 
 } // namespace
 
 Error linkSharedLibrary(StringRef object, StringRef path, bool strip) {
   SmallString<128> objectPath;
   int descriptor = -1;
-  if (std::error_code code =
-          sys::fs::createTemporaryFile("anysl", "o", descriptor, objectPath))
+  if (std::error_code code = sys::fs::createTemporaryFile("anysl", "o", descriptor, objectPath))
     return createStringError("cannot write a temporary file: " + code.message());
   sys::RemoveFileOnSignal(objectPath);
   auto cleanUp = make_scope_exit([&] {

@@ -19,8 +19,8 @@ using namespace llvm;
 namespace anysl {
 namespace {
 
-/// Every feature of this machine with its sign, in a fixed order. Virtual machines lack features that
-/// the processor's name promises.
+/// Every feature of this machine with its sign, in a fixed order. Virtual machines lack features
+/// that the processor's name promises.
 std::string nativeFeatures() {
   StringMap<bool> features = sys::getHostCPUFeatures();
   SmallVector<StringRef> names(features.keys());
@@ -38,7 +38,8 @@ std::unique_ptr<TargetMachine> makeTarget(DiagnosticEngine &diags, StringRef cpu
   InitializeNativeTarget();
   InitializeNativeTargetAsmPrinter();
   InitializeNativeTargetAsmParser();
-  std::string normalized = triple.empty() ? sys::getDefaultTargetTriple() : Triple::normalize(triple);
+  std::string normalized =
+      triple.empty() ? sys::getDefaultTargetTriple() : Triple::normalize(triple);
   std::string reason;
   const Target *target = TargetRegistry::lookupTarget(normalized, reason);
   if (!target || Triple(normalized).getArch() == Triple::UnknownArch) {

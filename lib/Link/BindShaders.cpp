@@ -5,10 +5,10 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// A runtime says what happens around a shader in one function, anysl_runtime_shade_point, which calls
-// the undefined anysl_shader_body. Here every shader gets its own copy, `<shader>.point`, that calls
-// the shader; likewise `<shader>.init`. Functions between the two (a runtime may have helpers that
-// call the body) are copied along.
+// A runtime says what happens around a shader in one function, anysl_runtime_shade_point, which
+// calls the undefined anysl_shader_body. Here every shader gets its own copy, `<shader>.point`,
+// that calls the shader; likewise `<shader>.init`. Functions between the two (a runtime may have
+// helpers that call the body) are copied along.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -38,8 +38,8 @@ SmallSetVector<Function *, 4> callersOf(Function &hook) {
   return callers;
 }
 
-/// Copies `root`, and all of its callees that lead to `hook`, with calls of `hook` going to `shader`.
-/// Null if `root` does not lead there.
+/// Copies `root`, and all of its callees that lead to `hook`, with calls of `hook` going to
+/// `shader`. Null if `root` does not lead there.
 Function *bindShader(Function &root, Function &hook, Function &shader, const std::string &name) {
   SmallSetVector<Function *, 4> callers = callersOf(hook);
   if (!callers.contains(&root))
@@ -97,7 +97,7 @@ void noteOperators(Shader &shader) {
     shader.report.effects.push_back(#name);
 #include "lib/STC/Effects.def"
 #define STC_SERVICE(id, name, doc)                                                                 \
-  if (shader.services >> id & 1)                                                        \
+  if (shader.services >> id & 1)                                                                   \
     shader.report.services.push_back(#name);
 #include "lib/STC/Services.def"
   for (const stc::GlobalInfo &global : shader.info.globals) {
@@ -122,9 +122,9 @@ bool bindShaders(Session &session) {
   for (Shader &shader : session.shaders) {
     noteOperators(shader);
     shader.point = bindShader(*module.getFunction(pointName), *body, *shader.info.body,
-                        shader.info.name + ".point");
+                              shader.info.name + ".point");
     shader.init = bindShader(*module.getFunction(initName), *init, *shader.info.init,
-                       shader.info.name + ".init");
+                             shader.info.name + ".init");
     if (!shader.point || !shader.init) {
       session.diags.error("runtime '" + session.options.runtime + "' is wrong: '" + pointName +
                           "' and '" + initName + "' do not lead to the shader");
@@ -142,8 +142,7 @@ bool bindShaders(Session &session) {
   }
   for (StringRef name : {"anysl_runtime_layout", "anysl_type_float"})
     kept.insert(module.getNamedValue(name));
-  internalizeModule(module,
-                    [&](const GlobalValue &value) { return kept.contains(&value); });
+  internalizeModule(module, [&](const GlobalValue &value) { return kept.contains(&value); });
   ModuleAnalysisManager analyses;
   GlobalDCEPass().run(module, analyses);
   return all_of(session.shaders, [&](Shader &shader) {

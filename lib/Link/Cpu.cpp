@@ -15,14 +15,40 @@ using namespace llvm;
 namespace anysl::link {
 namespace {
 
-/// The instruction sets that LLVM uses for ordinary code where they are there. What a program must ask
-/// for by name (AES, transactions, tiles …) is in no shader, so no processor is refused for lacking it.
-constexpr StringLiteral usedBySelection[] = {
-    "cmov",    "sse",      "sse2",     "sse3",       "ssse3",        "sse4.1",   "sse4.2",
-    "popcnt",  "lzcnt",    "bmi",      "bmi2",       "movbe",        "avx",      "f16c",
-    "fma",     "fma4",     "xop",      "tbm",        "avx2",         "gfni",     "avx512f",
-    "avx512cd", "avx512dq", "avx512bw", "avx512vl",  "avx512vbmi",   "avx512vbmi2",
-    "avx512bitalg", "avx512vpopcntdq", "avx512vnni", "avxvnni"};
+/// The instruction sets that LLVM uses for ordinary code where they are there. What a program must
+/// ask for by name (AES, transactions, tiles …) is in no shader, so no processor is refused for
+/// lacking it.
+constexpr StringLiteral usedBySelection[] = {"cmov",
+                                             "sse",
+                                             "sse2",
+                                             "sse3",
+                                             "ssse3",
+                                             "sse4.1",
+                                             "sse4.2",
+                                             "popcnt",
+                                             "lzcnt",
+                                             "bmi",
+                                             "bmi2",
+                                             "movbe",
+                                             "avx",
+                                             "f16c",
+                                             "fma",
+                                             "fma4",
+                                             "xop",
+                                             "tbm",
+                                             "avx2",
+                                             "gfni",
+                                             "avx512f",
+                                             "avx512cd",
+                                             "avx512dq",
+                                             "avx512bw",
+                                             "avx512vl",
+                                             "avx512vbmi",
+                                             "avx512vbmi2",
+                                             "avx512bitalg",
+                                             "avx512vpopcntdq",
+                                             "avx512vnni",
+                                             "avxvnni"};
 
 bool has(const TargetMachine &target, StringRef feature) {
   return target.getMCSubtargetInfo()->checkFeatures(("+" + feature).str());

@@ -5,8 +5,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// `anysl_library`, an AnyslLibraryInfo of <anysl/abi.h> as constant data. The structures are spelt here
-// as LLVM types; that their sizes are those of the C header is checked when they are made.
+// `anysl_library`, an AnyslLibraryInfo of <anysl/abi.h> as constant data. The structures are spelt
+// here as LLVM types; that their sizes are those of the C header is checked when they are made.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -110,8 +110,7 @@ private:
     for (unsigned i = 0; i < shader.info.params.size(); ++i)
       params.push_back(paramInfo(shader.info.params[i], shader.fixed[i]));
     for (const Entry &entry : shader.entries)
-      entries.push_back(
-          structure(sizeof(AnyslEntryInfo), {u32(entry.width), entry.function}));
+      entries.push_back(structure(sizeof(AnyslEntryInfo), {u32(entry.width), entry.function}));
     uint64_t read = 0, written = 0;
     for (const stc::GlobalInfo &global : shader.info.globals) {
       read |= uint64_t(global.read) << global.id;

@@ -30,8 +30,8 @@ public:
   EntryBuilder(Session &session, Shader &shader, unsigned width)
       : shader(shader), width(width), builder(session.context) {
     Type *integer = builder.getInt32Ty();
-    auto *type = FunctionType::get(builder.getVoidTy(),
-                                   {builder.getPtrTy(), integer, integer}, false);
+    auto *type =
+        FunctionType::get(builder.getVoidTy(), {builder.getPtrTy(), integer, integer}, false);
     function = Function::Create(type, GlobalValue::InternalLinkage,
                                 shader.info.name + ".w" + std::to_string(width), *session.module);
     args = function->getArg(0);
@@ -41,9 +41,9 @@ public:
     first->setName("first");
     last->setName("last");
     function->copyAttributesFrom(shader.point);
-    function->setAttributes(AttributeList::get(
-        session.context, shader.point->getAttributes().getFnAttrs(), AttributeSet(),
-        {shader.point->getAttributes().getParamAttrs(0)}));
+    function->setAttributes(
+        AttributeList::get(session.context, shader.point->getAttributes().getFnAttrs(),
+                           AttributeSet(), {shader.point->getAttributes().getParamAttrs(0)}));
     function->setLinkage(GlobalValue::InternalLinkage);
   }
 

@@ -5,9 +5,9 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Inlines the forms into their entries, so that loads of the batch's pointers and all else that does
-// not depend on the point move out of the loop over points, and removes what is left over. Services'
-// wrappers stay functions: a call of theirs costs nothing beside what the renderer does.
+// Inlines the forms into their entries, so that loads of the batch's pointers and all else that
+// does not depend on the point move out of the loop over points, and removes what is left over.
+// Services' wrappers stay functions: a call of theirs costs nothing beside what the renderer does.
 //
 //===------------------------------------------------------------------------------------------===//
 

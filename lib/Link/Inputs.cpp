@@ -49,8 +49,9 @@ bool unknownName(Session &session, StringRef what, StringRef name,
                  const std::vector<std::string> &known) {
   SmallVector<StringRef> candidates(known.begin(), known.end());
   session.diags.error("there is no " + what + " '" + name + "'" + didYouMean(name, candidates) +
-                      (known.empty() ? " (none is installed in '" + session.options.resourceDir + "')"
-                                     : " (there are: " + join(known) + ")"));
+                      (known.empty()
+                           ? " (none is installed in '" + session.options.resourceDir + "')"
+                           : " (there are: " + join(known) + ")"));
   return false;
 }
 
@@ -111,7 +112,8 @@ bool openLayers(Session &session) {
     return false;
   }
   return openLayer(session, "the shading library", folder + "/" + shadelibName) &&
-         openLayer(session, "real '" + options.real + "'", folder + "/real/" + options.real + ".bc") &&
+         openLayer(session, "real '" + options.real + "'",
+                   folder + "/real/" + options.real + ".bc") &&
          openLayer(session, "runtime '" + options.runtime + "'",
                    folder + "/runtime/" + options.runtime + "." + options.real + ".bc") &&
          openLayer(session, "math tier '" + options.math + "'",
@@ -130,8 +132,8 @@ bool readInputs(Session &session, ArrayRef<std::string> files) {
     for (const stc::ShaderInfo &info : file->shaders) {
       auto [entry, isNew] = seen.try_emplace(info.name, path);
       if (!isNew) {
-        session.diags.error(FilePosition{path}, "shader '" + info.name + "' is also in '" +
-                                                    entry->second + "'");
+        session.diags.error(FilePosition{path},
+                            "shader '" + info.name + "' is also in '" + entry->second + "'");
         good = false;
         continue;
       }

@@ -5,11 +5,12 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// While a batch is shaded nobody changes AnyslShadeArgs nor the tables that it points to: parameters'
-// cells, arrays' addresses, services, lights (include/anysl/abi.h). Only the arrays that
-// `globals` and `param_data` list are data. So every load from the batch itself, and every load through
-// one of its fields, is invariant, and moves out of the loop over points even if a service is called
-// in between. Two steps away from the batch are the arrays, about which nothing is said.
+// While a batch is shaded nobody changes AnyslShadeArgs nor the tables that it points to:
+// parameters' cells, arrays' addresses, services, lights (include/anysl/abi.h). Only the arrays
+// that `globals` and `param_data` list are data. So every load from the batch itself, and every
+// load through one of its fields, is invariant, and moves out of the loop over points even if a
+// service is called in between. Two steps away from the batch are the arrays, about which nothing
+// is said.
 //
 //===------------------------------------------------------------------------------------------===//
 

@@ -5,10 +5,10 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Starts at the shaders and the runtime's own functions and follows every reference to the layer whose
-// definition counts: the last one that has any. Only what is reached is read from the files and moved
-// into the one module, so a library's size costs nothing. What nobody defines is reported with the
-// place in the shader from which it is reached.
+// Starts at the shaders and the runtime's own functions and follows every reference to the layer
+// whose definition counts: the last one that has any. Only what is reached is read from the files
+// and moved into the one module, so a library's size costs nothing. What nobody defines is reported
+// with the place in the shader from which it is reached.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -50,8 +50,8 @@ public:
 
   bool run() {
     prepareShaders();
-    for (StringRef name : {"anysl_runtime_shade_point", "anysl_runtime_init", "anysl_runtime_layout",
-                           "anysl_type_float"})
+    for (StringRef name : {"anysl_runtime_shade_point", "anysl_runtime_init",
+                           "anysl_runtime_layout", "anysl_type_float"})
       request(name, {});
     for (Shader &shader : session.shaders)
       for (Function *function : {shader.info.body, shader.info.init})
@@ -78,8 +78,8 @@ private:
     inputs.push_back({name, module, {}});
   }
 
-  /// A shader may be called like any function of a runtime; as an internal function it gets out of the
-  /// way when modules are merged.
+  /// A shader may be called like any function of a runtime; as an internal function it gets out of
+  /// the way when modules are merged.
   void prepareShaders() {
     for (Shader &shader : session.shaders) {
       shader.info.body->setLinkage(GlobalValue::InternalLinkage);
@@ -167,7 +167,8 @@ private:
         scanConstant(*inner, origin);
   }
 
-  /// The wide forms of a function are called by nobody yet; they come along for the widths asked for.
+  /// The wide forms of a function are called by nobody yet; they come along for the widths asked
+  /// for.
   void scanVariants(Function &function, const Origin &origin) {
     for (const VariantName &name : variantNames(function.getAttributes())) {
       if (!is_contained(session.widths, name.width))
@@ -214,8 +215,9 @@ bool ModuleLinker::merge() {
   session.module->setTargetTriple(session.target.getTargetTriple().str());
   IRMover mover(*session.module);
 
-  // Later layers go first: where two modules declare and define a name, the definition that counts is
-  // the only one moved, so the order is a matter of taste; shaders first makes dumps easier to read.
+  // Later layers go first: where two modules declare and define a name, the definition that counts
+  // is the only one moved, so the order is a matter of taste; shaders first makes dumps easier to
+  // read.
   std::vector<std::unique_ptr<Module>> modules;
   for (stc::StcModule &file : session.files)
     modules.push_back(std::move(file.module));

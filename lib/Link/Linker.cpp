@@ -40,7 +40,8 @@ void dump(const Session &session) {
 }
 
 /// Runs one stage. Gives false if linking ends with it, by error or by wish.
-template <typename Function> bool run(Session &session, StringRef name, Function stage) {
+template <typename Function>
+bool run(Session &session, StringRef name, Function stage) {
   {
     StageTimer timer(session.report, name);
     if (!stage(session))
@@ -85,15 +86,15 @@ std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, LLVMContext &cont
   bool complete =
       // Constants go in while a parameter is still an operator with a cell's number.
       run(session, "specialize", specializeParams) &&
-      // Reads the bodies that the shaders reach and no others, which keeps linking fast however much
-      // the libraries grow.
+      // Reads the bodies that the shaders reach and no others, which keeps linking fast however
+      // much the libraries grow.
       run(session, "link", linkModules) &&
       // Before inlining: the runtime's shade_point is copied once a shader.
       run(session, "bind", bindShaders) &&
       // After linking, because only the runtime knows the types.
       run(session, "lower", lowerStorage) &&
-      // Beyond this point nothing of the threaded code is left. Scalar code is simplified as far as it
-      // goes before widening, because each instruction that survives is widened for every width.
+      // Beyond this point nothing of the threaded code is left. Scalar code is simplified as far as
+      // it goes before widening, because each instruction that survives is widened for every width.
       run(session, "optimize", optimize) &&
       // Needs simplified scalar code; makes one function a width, with a mask and without.
       run(session, "widen", widen) &&

@@ -5,9 +5,9 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Puts shaders, shading library, real, runtime and math tier together into one module of native-ready
-// code whose only exported symbol is the descriptor `anysl_library` (include/anysl/abi.h).
-// docs/architecture.md, "Linking", has the whole; Stages.def the stages.
+// Puts shaders, shading library, real, runtime and math tier together into one module of
+// native-ready code whose only exported symbol is the descriptor `anysl_library`
+// (include/anysl/abi.h). docs/architecture.md, "Linking", has the whole; Stages.def the stages.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -37,7 +37,8 @@ struct LinkOptions {
   std::vector<unsigned> widths;
   /// Parameters to become constants, as the command line has them: "shader.name=v,v,v", "name=v".
   std::vector<std::string> params;
-  /// The name of a stage of Stages.def after which to print the code to `dump` and stop; empty: none.
+  /// The name of a stage of Stages.def after which to print the code to `dump` and stop; empty:
+  /// none.
   std::string dumpAfter;
   llvm::raw_ostream *dump = nullptr;
 };
@@ -48,7 +49,8 @@ struct LinkResult {
 };
 
 /// Links STC files for a target. Nothing, with errors reported, if a file, a name or an operator is
-/// wrong, and nothing without errors after a dump. `target` gives triple, processor and features, and must outlive the result.
+/// wrong, and nothing without errors after a dump. `target` gives triple, processor and features,
+/// and must outlive the result.
 std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, llvm::LLVMContext &context,
                                       llvm::ArrayRef<std::string> files, const LinkOptions &options,
                                       llvm::TargetMachine &target);

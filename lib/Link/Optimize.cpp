@@ -5,7 +5,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Makes all functions alike, inlines every one that is no renderer's service, and simplifies.
+// Makes all functions alike, inlines every one that the runtime does not keep apart, and
+// simplifies.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -29,8 +30,8 @@ bool hasVariants(const Function &function) {
 }
 
 /// Modules come from a front end that knows no target and from a compiler whose target is not ours;
-/// LLVM refuses to inline one into the other unless their attributes agree. What stays are variants'
-/// names and what is known about memory.
+/// LLVM refuses to inline one into the other unless their attributes agree. What stays are
+/// variants' names and what is known about memory.
 void stamp(Function &function, const Session &session) {
   AttributeMask dropped;
   for (Attribute attribute : function.getAttributes().getFnAttrs())
@@ -39,12 +40,12 @@ void stamp(Function &function, const Session &session) {
       if (name != VFABI::MappingsAttrName && !name.starts_with("_ZGV"))
         dropped.addAttribute(name);
     }
-  for (auto kind : {Attribute::OptimizeNone, Attribute::OptimizeForSize, Attribute::MinSize,
-                    Attribute::UWTable, Attribute::StackProtect, Attribute::StackProtectStrong,
-                    Attribute::StackProtectReq, Attribute::NoInline, Attribute::InlineHint,
-                    Attribute::AlwaysInline, Attribute::NoBuiltin,
-                    // A shader's loop that never ends hangs; it is not undefined behaviour.
-                    Attribute::MustProgress, Attribute::WillReturn})
+  for (auto kind :
+       {Attribute::OptimizeNone, Attribute::OptimizeForSize, Attribute::MinSize, Attribute::UWTable,
+        Attribute::StackProtect, Attribute::StackProtectStrong, Attribute::StackProtectReq,
+        Attribute::InlineHint, Attribute::AlwaysInline, Attribute::NoBuiltin,
+        // A shader's loop that never ends hangs; it is not undefined behaviour.
+        Attribute::MustProgress, Attribute::WillReturn})
     dropped.addAttribute(kind);
   function.removeFnAttrs(dropped);
   function.addFnAttr(Attribute::NoUnwind);
@@ -57,9 +58,11 @@ void stamp(Function &function, const Session &session) {
   function.setComdat(nullptr);
 }
 
-/// A service stays a call until its wide form has taken its place; everything else is dissolved.
+/// A runtime keeps a service's wrapper apart by `noinline`, and one with wide forms stays a call
+/// until the wide form has taken its place. Everything else is dissolved.
 bool staysCall(const Session &session, const Function &function) {
-  if (hasVariants(function) || any_of(session.shaders, [&](const Shader &shader) {
+  if (function.hasFnAttribute(Attribute::NoInline) || hasVariants(function) ||
+      any_of(session.shaders, [&](const Shader &shader) {
         return &function == shader.point || &function == shader.init;
       }))
     return true;
@@ -89,10 +92,8 @@ bool optimize(Session &session) {
       function.addFnAttr(staysCall(session, function) ? Attribute::NoInline
                                                       : Attribute::AlwaysInline);
     for (Instruction &instruction : instructions(function))
-      if (auto *call = dyn_cast<CallBase>(&instruction)) {
-        call->removeFnAttr(Attribute::NoInline);
+      if (auto *call = dyn_cast<CallBase>(&instruction))
         call->removeFnAttr(Attribute::NoBuiltin);
-      }
   }
   for (Shader &shader : session.shaders) {
     describeArguments(*shader.point);

@@ -36,8 +36,8 @@ namespace {
 class Analyses {
 public:
   explicit Analyses(const Module &module, TargetMachine *target) : builder(target) {
-    // Code that runs in somebody's renderer calls no library behind our back, and no function of the
-    // runtime is the C function whose name it happens to have.
+    // Code that runs in somebody's renderer calls no library behind our back, and no function of
+    // the runtime is the C function whose name it happens to have.
     TargetLibraryInfoImpl library(Triple(module.getTargetTriple()));
     library.disableAllFunctions();
     functions.registerPass([=] { return TargetLibraryAnalysis(library); });

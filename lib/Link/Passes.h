@@ -17,10 +17,10 @@ class TargetMachine;
 
 namespace anysl::link {
 
-/// Inlines every function marked alwaysinline, callees before callers, simplifying each before it is
-/// copied into its callers; then simplifies the rest as far as scalar code goes. Nothing is vectorised
-/// or unrolled, no floating-point operation is reordered or contracted, and no function is taken for
-/// one of the C library's.
+/// Inlines every function marked alwaysinline, callees before callers, simplifying each before it
+/// is copied into its callers; then simplifies the rest as far as scalar code goes. Nothing is
+/// vectorised or unrolled, no floating-point operation is reordered or contracted, and no function
+/// is taken for one of the C library's.
 void inlineAndSimplify(llvm::Module &module, llvm::TargetMachine &target);
 
 /// Removes what nothing refers to, and merges what is constant twice.

@@ -13,7 +13,8 @@ using namespace llvm;
 namespace anysl::link {
 namespace {
 
-template <typename T> json::Array list(const std::vector<T> &values) {
+template <typename T>
+json::Array list(const std::vector<T> &values) {
   json::Array result;
   for (const T &value : values)
     result.push_back(value);

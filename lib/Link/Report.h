@@ -35,7 +35,8 @@ struct ShaderReport {
   unsigned stcInstructions = 0;
   /// Instructions of the scalar function, optimised.
   unsigned scalarInstructions = 0;
-  /// Calls in the scalar function that are no intrinsics: services and what the runtime keeps apart.
+  /// Calls in the scalar function that are no intrinsics: services and what the runtime keeps
+  /// apart.
   std::vector<std::string> callsLeft;
   /// The operators that the shader reaches, library functions included.
   std::vector<std::string> ops, effects, services, globalsRead, globalsWritten, fixedParams;

@@ -11,8 +11,8 @@
 //
 //   void trace(…, float *r, float *g, float *b)       becomes       {float, float, float} trace(…)
 //
-// where the pointers serve for results alone: every call hands over slots of its own, and the wrapper
-// writes each once at its end.
+// where the pointers serve for results alone: every call hands over slots of its own, and the
+// wrapper writes each once at its end.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -28,7 +28,8 @@ using namespace llvm;
 namespace anysl::link {
 namespace {
 
-/// The type of the values that a function writes through an argument, if it does nothing else with it.
+/// The type of the values that a function writes through an argument, if it does nothing else with
+/// it.
 Type *outputType(const Argument &argument) {
   Type *type = nullptr;
   if (!argument.getType()->isPointerTy())
@@ -46,9 +47,8 @@ Type *outputType(const Argument &argument) {
 
 /// Whether a block that ends the function writes through the argument, whatever happens before.
 bool isWrittenInBlock(const Argument &argument, const BasicBlock &block) {
-  return any_of(argument.users(), [&](const User *user) {
-    return cast<Instruction>(user)->getParent() == &block;
-  });
+  return any_of(argument.users(),
+                [&](const User *user) { return cast<Instruction>(user)->getParent() == &block; });
 }
 
 bool callsAreSimple(const Function &function) {
@@ -93,7 +93,9 @@ public:
   }
 
 private:
-  bool isOutput(const Argument &argument) const { return is_contained(outputs, argument.getArgNo()); }
+  bool isOutput(const Argument &argument) const {
+    return is_contained(outputs, argument.getArgNo());
+  }
 
   /// A copy whose outputs are slots of its own, returned at its end.
   Function *makeReturning() {
@@ -120,9 +122,9 @@ private:
     }
     SmallVector<ReturnInst *> returns;
     CloneFunctionInto(copy, &function, map, CloneFunctionChangeType::LocalChangesOnly, returns);
-    copy->setAttributes(AttributeList::get(function.getContext(), AttributeList::FunctionIndex,
-                                           AttrBuilder(function.getContext(),
-                                                       function.getAttributes().getFnAttrs())));
+    copy->setAttributes(AttributeList::get(
+        function.getContext(), AttributeList::FunctionIndex,
+        AttrBuilder(function.getContext(), function.getAttributes().getFnAttrs())));
     copy->removeFnAttr(Attribute::Memory);
     builder.CreateBr(cast<BasicBlock>(map[&function.getEntryBlock()]));
     for (ReturnInst *end : returns) {

@@ -89,8 +89,8 @@ void markInvariants(llvm::Function &shade);
 /// Turns pointers through which an internal function only gives results into returned values.
 void returnOutputs(llvm::Module &module);
 
-/// Direct calls in a function of what has a body or a name: everything but intrinsics. Indirect calls
-/// count as "a service".
+/// Direct calls in a function of what has a body or a name: everything but intrinsics. Indirect
+/// calls count as "a service".
 std::vector<std::string> callsIn(const llvm::Function &function);
 
 } // namespace anysl::link

@@ -6,8 +6,8 @@
 //===------------------------------------------------------------------------------------------===//
 //
 // `--param glass.Kr=0` works on the threaded code, by operators alone: every load of the parameter
-// becomes the construction of the constant, a varying parameter is never bound, and what the defaults
-// store is the constant as well, so that a host which reads the cell sees the truth.
+// becomes the construction of the constant, a varying parameter is never bound, and what the
+// defaults store is the constant as well, so that a host which reads the cell sees the truth.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -91,7 +91,8 @@ bool parseOption(Session &session, StringRef option, std::vector<FixedValue> &va
     session.diags.error("--param " + option + ": expected NAME=value or SHADER.NAME=value");
     return false;
   }
-  auto [shaderName, paramName] = name.contains('.') ? name.split('.') : std::pair(StringRef(), name);
+  auto [shaderName, paramName] =
+      name.contains('.') ? name.split('.') : std::pair(StringRef(), name);
 
   bool found = false, knownShader = shaderName.empty();
   std::vector<StringRef> shaderNames, paramNames;
@@ -180,10 +181,9 @@ private:
 
   CallInst *call(stc::Op op, ArrayRef<Value *> operands) {
     const stc::OpInfo &operation = info(op);
-    return builder.CreateCall(
-        module.getOrInsertFunction(operation.symbol(),
-                                   functionType(module.getContext(), operation)),
-        operands);
+    return builder.CreateCall(module.getOrInsertFunction(
+                                  operation.symbol(), functionType(module.getContext(), operation)),
+                              operands);
   }
 
   Module &module;

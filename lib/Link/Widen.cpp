@@ -27,8 +27,8 @@ std::string formName(const Shader &shader, unsigned width, bool masked) {
   return shader.info.name + (masked ? ".masked" : ".all") + std::to_string(width);
 }
 
-/// `_ZGV_LLVM_N8ul_glass.point(glass.all8)`: the batch is the same for all lanes, the point's number
-/// grows by one from lane to lane.
+/// `_ZGV_LLVM_N8ul_glass.point(glass.all8)`: the batch is the same for all lanes, the point's
+/// number grows by one from lane to lane.
 std::string mangledName(const Shader &shader, unsigned width, bool masked) {
   return std::string("_ZGV_LLVM_") + (masked ? "M" : "N") + std::to_string(width) + "ul_" +
          shader.point->getName().str() + "(" + formName(shader, width, masked) + ")";

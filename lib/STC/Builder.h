@@ -41,8 +41,8 @@ namespace anysl::stc {
 
 class Builder {
 public:
-  /// Starts a module for `sourceFile`; `producer` is the front end's name and version. Positions are
-  /// always recorded; with `debugInfo` (-g) they also reach the native code as line tables.
+  /// Starts a module for `sourceFile`; `producer` is the front end's name and version. Positions
+  /// are always recorded; with `debugInfo` (-g) they also reach the native code as line tables.
   Builder(llvm::LLVMContext &context, llvm::StringRef sourceFile, llvm::StringRef producer,
           bool debugInfo = false);
   ~Builder();

@@ -15,8 +15,8 @@ using namespace llvm;
 namespace anysl::stc {
 namespace {
 
-/// Reads the operands of one metadata node in order. The first operand that is missing or of another
-/// kind than expected spoils the whole; `ok` is asked once at the end.
+/// Reads the operands of one metadata node in order. The first operand that is missing or of
+/// another kind than expected spoils the whole; `ok` is asked once at the end.
 class NodeReader {
 public:
   explicit NodeReader(const Metadata *metadata, unsigned operands)
@@ -57,9 +57,7 @@ private:
   bool good;
 };
 
-Error malformed(const Twine &what) {
-  return createStringError("malformed STC metadata: " + what);
-}
+Error malformed(const Twine &what) { return createStringError("malformed STC metadata: " + what); }
 
 Error readParam(const Metadata *metadata, ShaderInfo &shader) {
   NodeReader node(metadata, 6);

@@ -20,7 +20,8 @@ inline constexpr llvm::StringLiteral shaders = "anysl.shaders";
 inline constexpr llvm::StringLiteral storage = "anysl.storage";
 /// On an allocation: the variable's name in the source.
 inline constexpr llvm::StringLiteral name = "anysl.name";
-/// On a function of the module's own that is no shader: the parameters, as the op table writes them.
+/// On a function of the module's own that is no shader: the parameters, as the op table writes
+/// them.
 inline constexpr llvm::StringLiteral signature = "anysl.signature";
 
 } // namespace anysl::stc::metadata

@@ -20,9 +20,12 @@ namespace {
 
 /// The table's parameter lists. The names are the table's own, hence a scope of their own.
 namespace table {
-#define In(T) OpParam{ParamKind::In, stc::Type::T##Ty}
-#define Out(T) OpParam{ParamKind::Out, stc::Type::T##Ty}
-#define InOut(T) OpParam{ParamKind::InOut, stc::Type::T##Ty}
+#define In(T)                                                                                      \
+  OpParam { ParamKind::In, stc::Type::T##Ty }
+#define Out(T)                                                                                     \
+  OpParam { ParamKind::Out, stc::Type::T##Ty }
+#define InOut(T)                                                                                   \
+  OpParam { ParamKind::InOut, stc::Type::T##Ty }
 constexpr OpParam Ctx{ParamKind::Ctx}, Type{ParamKind::Type}, Slot{ParamKind::Slot},
     Bool{ParamKind::Bool}, Index{ParamKind::Index}, Length{ParamKind::Length}, Id{ParamKind::Id},
     Number{ParamKind::Number}, Text{ParamKind::Text};
@@ -39,8 +42,15 @@ constexpr OpParam Ctx{ParamKind::Ctx}, Type{ParamKind::Type}, Slot{ParamKind::Sl
 
 const OpInfo ops[] = {
 #define STC_OP(id, name, result, params, purity, rule, effect, service, doc)                       \
-  {Op::name,        #name,      ResultKind::result, table::name##Params, Purity::purity,           \
-   Rule::rule,      Effect::effect, Service::service,   doc},
+  {Op::name,                                                                                       \
+   #name,                                                                                          \
+   ResultKind::result,                                                                             \
+   table::name##Params,                                                                            \
+   Purity::purity,                                                                                 \
+   Rule::rule,                                                                                     \
+   Effect::effect,                                                                                 \
+   Service::service,                                                                               \
+   doc},
 #include "lib/STC/StcOps.def"
 };
 
@@ -128,8 +138,8 @@ StringRef nameOf(ResultKind kind) {
 }
 
 StringRef nameOf(ParamKind kind) {
-  static constexpr StringLiteral names[] = {"In",    "Out",   "InOut",  "Ctx", "Type",   "Slot",
-                                            "Bool",  "Index", "Length", "Id",  "Number", "Text"};
+  static constexpr StringLiteral names[] = {"In",   "Out",   "InOut",  "Ctx", "Type",   "Slot",
+                                            "Bool", "Index", "Length", "Id",  "Number", "Text"};
   return names[unsigned(kind)];
 }
 

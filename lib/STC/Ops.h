@@ -32,7 +32,20 @@ enum class Op : uint16_t {
 enum class ResultKind : uint8_t { None, Test, Index, Slot };
 
 /// The kinds of parameters that StcOps.def explains.
-enum class ParamKind : uint8_t { In, Out, InOut, Ctx, Type, Slot, Bool, Index, Length, Id, Number, Text };
+enum class ParamKind : uint8_t {
+  In,
+  Out,
+  InOut,
+  Ctx,
+  Type,
+  Slot,
+  Bool,
+  Index,
+  Length,
+  Id,
+  Number,
+  Text
+};
 
 struct OpParam {
   ParamKind kind;

@@ -27,8 +27,8 @@ using namespace llvm;
 namespace anysl::stc {
 namespace {
 
-/// Keeps LLVM's readers from printing: what they would warn of (debug information that they drop) the
-/// verifier reports itself.
+/// Keeps LLVM's readers from printing: what they would warn of (debug information that they drop)
+/// the verifier reports itself.
 class SilentHandler : public DiagnosticHandler {
 public:
   bool handleDiagnostics(const DiagnosticInfo &) override { return true; }

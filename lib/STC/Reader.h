@@ -8,9 +8,9 @@
 // Reads STC as bitcode or as LLVM's text form and verifies it, so that what comes out of here never
 // crashes a later stage.
 //
-// Files that the writer made carry a checksum of their contents and are parsed at once: damage shows
-// in the checksum. LLVM's parsers trust their input, so anything else (hand-made bitcode, text) is
-// first parsed in a child process, which may crash without harm.
+// Files that the writer made carry a checksum of their contents and are parsed at once: damage
+// shows in the checksum. LLVM's parsers trust their input, so anything else (hand-made bitcode,
+// text) is first parsed in a child process, which may crash without harm.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -37,8 +37,8 @@ struct StcModule {
   std::vector<ShaderInfo> shaders;
 };
 
-/// Reads and verifies a file; `-` is standard input. Reports one error and gives nothing if the file
-/// cannot be read, is no STC, is damaged, is of another version or breaks a rule.
+/// Reads and verifies a file; `-` is standard input. Reports one error and gives nothing if the
+/// file cannot be read, is no STC, is damaged, is of another version or breaks a rule.
 std::optional<StcModule> readFile(DiagnosticEngine &diags, llvm::LLVMContext &context,
                                   llvm::StringRef path);
 /// The same for contents at hand; the buffer's name stands for the file's.

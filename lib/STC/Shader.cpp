@@ -32,8 +32,8 @@ const GlobalVariableInfo globals[] = {
 /// Reads back what `toString(OpParam)` writes.
 std::optional<OpParam> parseParam(StringRef text) {
   auto [kindName, rest] = text.split('(');
-  static constexpr ParamKind kinds[] = {ParamKind::In,    ParamKind::Out,  ParamKind::InOut,
-                                        ParamKind::Ctx,   ParamKind::Bool, ParamKind::Index};
+  static constexpr ParamKind kinds[] = {ParamKind::In,  ParamKind::Out,  ParamKind::InOut,
+                                        ParamKind::Ctx, ParamKind::Bool, ParamKind::Index};
   const ParamKind *kind = find_if(kinds, [&](ParamKind k) { return nameOf(k) == kindName; });
   if (kind == std::end(kinds))
     return std::nullopt;
@@ -48,8 +48,9 @@ std::optional<OpParam> parseParam(StringRef text) {
   if (!type)
     return std::nullopt;
   param.type = *type;
-  if (typeName != rest && (!length.consume_back("]") || length.getAsInteger(10, param.arrayLength) ||
-                           param.arrayLength == 0 || param.arrayLength > maxArrayLength))
+  if (typeName != rest &&
+      (!length.consume_back("]") || length.getAsInteger(10, param.arrayLength) ||
+       param.arrayLength == 0 || param.arrayLength > maxArrayLength))
     return std::nullopt;
   return param;
 }

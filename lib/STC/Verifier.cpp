@@ -369,7 +369,7 @@ void ModuleVerifier::checkIds(const CallInst &call, const OpInfo &op) {
 
 void ModuleVerifier::checkParameterUse(const CallInst &call, const OpInfo &op, IdKind kind,
                                        unsigned number) {
-  const ParamInfo *parameter = kind == IdKind::Cell ? shader->paramOfCell(number)
+  const ParamInfo *parameter = kind == IdKind::Cell             ? shader->paramOfCell(number)
                                : number < shader->params.size() ? &shader->params[number]
                                                                 : nullptr;
   if (!parameter)

@@ -5,8 +5,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// An STC file is LLVM bitcode inside LLVM's own bitcode wrapper, which every LLVM tool reads through.
-// The wrapper's header holds a checksum besides. All numbers are little-endian:
+// An STC file is LLVM bitcode inside LLVM's own bitcode wrapper, which every LLVM tool reads
+// through. The wrapper's header holds a checksum besides. All numbers are little-endian:
 //
 //   u32 0x0b17c0de   u32 0   u32 offset of the bitcode (32)   u32 its size   u32 0xffffffff
 //   u32 "STCh"       u64 xxh3 of the bitcode

@@ -56,8 +56,7 @@ bool writeDirectly(DiagnosticEngine &diags, StringRef path,
 
 } // namespace
 
-bool writeNamedFile(DiagnosticEngine &diags, StringRef path,
-                    function_ref<Error(StringRef)> write) {
+bool writeNamedFile(DiagnosticEngine &diags, StringRef path, function_ref<Error(StringRef)> write) {
   SmallString<128> temporary;
   if (std::error_code code = sys::fs::createUniqueFile(path + ".tmp-%%%%%%%%", temporary))
     return cannotWrite(diags, path, code);

@@ -41,8 +41,7 @@ std::string &crashText() {
 }
 
 void onCrash(void *) {
-  [[maybe_unused]] ssize_t written =
-      write(STDERR_FILENO, crashText().data(), crashText().size());
+  [[maybe_unused]] ssize_t written = write(STDERR_FILENO, crashText().data(), crashText().size());
   _exit(internalError);
 }
 
@@ -75,7 +74,8 @@ Tool::Tool(int &argc, char **&argv, StringLiteral name, StringLiteral overview,
 }
 
 std::string Tool::resourceDir() const {
-  SmallString<256> path(sys::fs::getMainExecutable(program, reinterpret_cast<void *>(printVersion)));
+  SmallString<256> path(
+      sys::fs::getMainExecutable(program, reinterpret_cast<void *>(printVersion)));
   sys::path::remove_filename(path);
   sys::path::append(path, "..", "lib", "anysl");
   sys::path::remove_dots(path, /*remove_dot_dot=*/true);

@@ -28,8 +28,8 @@ namespace anysl {
 /// possible is an internal one, which asks for a report.
 enum ExitStatus { success = 0, userError = 1, internalError = 2 };
 
-/// Set-up and tear-down of a program. A crash, a failed check inside LLVM or memory running out ends
-/// the program with `internalError` and one message that asks for a report.
+/// Set-up and tear-down of a program. A crash, a failed check inside LLVM or memory running out
+/// ends the program with `internalError` and one message that asks for a report.
 class Tool {
 public:
   /// Parses the command line: options are llvm::cl::opt variables of category `category`, the only

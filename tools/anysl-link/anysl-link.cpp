@@ -25,11 +25,13 @@ cl::OptionCategory category("anysl-link");
 
 cl::list<std::string> inputs(cl::Positional, cl::OneOrMore, cl::desc("FILE.stc.bc..."),
                              cl::cat(category));
-cl::opt<std::string> output("o", cl::desc("Write to FILE; its suffix says what (default: the first "
-                                          "input's name with the suffix of --emit)"),
+cl::opt<std::string> output("o",
+                            cl::desc("Write to FILE; its suffix says what (default: the first "
+                                     "input's name with the suffix of --emit)"),
                             cl::value_desc("FILE"), cl::cat(category));
-cl::opt<std::string> emitKind("emit", cl::desc("What to write: so, obj, asm, bc or ll (default: by "
-                                               "the suffix of -o, else so)"),
+cl::opt<std::string> emitKind("emit",
+                              cl::desc("What to write: so, obj, asm, bc or ll (default: by "
+                                       "the suffix of -o, else so)"),
                               cl::value_desc("KIND"), cl::cat(category));
 cl::opt<std::string> runtime("runtime", cl::desc("The renderer's runtime (default: packet)"),
                              cl::init("packet"), cl::value_desc("NAME"), cl::cat(category));
@@ -37,27 +39,31 @@ cl::opt<std::string> real("real", cl::desc("What a float is (default: float)"), 
                           cl::value_desc("NAME"), cl::cat(category));
 cl::opt<std::string> math("math", cl::desc("How exact mathematics is (default: u10, within 1 ULP)"),
                           cl::init("u10"), cl::value_desc("TIER"), cl::cat(category));
-cl::opt<std::string> width("width", cl::desc("Points at once: of 1,4,8,16, or native: one, and what "
-                                             "suits the processor (default)"),
+cl::opt<std::string> width("width",
+                           cl::desc("Points at once: of 1,4,8,16, or native: one, and what "
+                                    "suits the processor (default)"),
                            cl::init("native"), cl::value_desc("N,N..."), cl::cat(category));
 cl::opt<std::string> cpu("mcpu", cl::desc("The processor, as LLVM names it (default: native)"),
                          cl::init("native"), cl::value_desc("CPU"), cl::cat(category));
 cl::opt<std::string> triple("target", cl::desc("The system, as LLVM names it (default: this one)"),
                             cl::value_desc("TRIPLE"), cl::cat(category));
-cl::list<std::string> params("param", cl::desc("Make a parameter constant; without SHADER, in every "
-                                               "shader that has it"),
+cl::list<std::string> params("param",
+                             cl::desc("Make a parameter constant; without SHADER, in every "
+                                      "shader that has it"),
                              cl::value_desc("[SHADER.]NAME=value[,value...]"), cl::cat(category));
 cl::opt<std::string> reportFile("report", cl::desc("Write what was done to FILE as JSON"),
                                 cl::value_desc("FILE"), cl::cat(category));
 cl::opt<bool> timeStages("time-stages", cl::desc("Print how long each stage took"),
                          cl::cat(category));
-cl::opt<std::string> dumpAfter("dump-after", cl::desc("Print the code after a stage and stop: "
+cl::opt<std::string> dumpAfter("dump-after",
+                               cl::desc("Print the code after a stage and stop: "
 #define LINK_STAGE(name, function, doc) #name " "
 #include "lib/Link/Stages.def"
-                                                      ),
+                                        ),
                                cl::value_desc("STAGE"), cl::cat(category));
 
-/// The kind of output that the command line asks for. Nothing, with an error, if it contradicts itself.
+/// The kind of output that the command line asks for. Nothing, with an error, if it contradicts
+/// itself.
 std::optional<OutputKind> chooseKind(DiagnosticEngine &diags) {
   if (!emitKind.empty()) {
     auto kind = outputKindNamed(emitKind);
@@ -69,8 +75,9 @@ std::optional<OutputKind> chooseKind(DiagnosticEngine &diags) {
     return OutputKind::SharedLibrary;
   auto kind = outputKindOfFile(output);
   if (!kind)
-    diags.error("-o " + output + ": the suffix is none of .so .o .s .bc .ll; say what is meant with "
-                                 "--emit");
+    diags.error("-o " + output +
+                ": the suffix is none of .so .o .s .bc .ll; say what is meant with "
+                "--emit");
   return kind;
 }
 

@@ -75,8 +75,10 @@ int main() {
   out << "# Reference of subroutine-threaded code\n\n"
          "Version "
       << stcVersion
-      << ". Printed by `stc-reference` from `lib/STC/*.def` and `include/anysl/Globals.def`; after a\n"
-         "change of those, `ninja stc-docs` writes it anew. What the columns mean stands at the head\n"
+      << ". Printed by `stc-reference` from `lib/STC/*.def` and `include/anysl/Globals.def`; after "
+         "a\n"
+         "change of those, `ninja stc-docs` writes it anew. What the columns mean stands at the "
+         "head\n"
          "of `lib/STC/StcOps.def`, what a module looks like in `docs/architecture.md`.\n\n";
   printTypes(out);
   printGlobals(out);

@@ -7,9 +7,9 @@
 
 #include "lib/STC/Verifier.h"
 #include "lib/STC/Writer.h"
+#include "test/unit/STC/Samples.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/Instructions.h"
-#include "test/unit/STC/Samples.h"
 #include <catch2/catch.hpp>
 
 using namespace anysl::stc;

@@ -17,9 +17,9 @@ namespace {
 
 /// void brighten(InOut(color) c, In(float) by): a function of the module's own.
 llvm::Function *buildHelper(Builder &b) {
-  llvm::Function *helper =
-      b.beginFunction("brighten", ResultKind::None,
-                      {OpParam{ParamKind::InOut, Type::colorTy}, OpParam{ParamKind::In, Type::floatTy}});
+  llvm::Function *helper = b.beginFunction(
+      "brighten", ResultKind::None,
+      {OpParam{ParamKind::InOut, Type::colorTy}, OpParam{ParamKind::In, Type::floatTy}});
   b.call(Op::scale_color, {helper->getArg(0), helper->getArg(0), helper->getArg(1)});
   b.ir().CreateRetVoid();
   return helper;
