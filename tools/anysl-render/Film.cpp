@@ -36,6 +36,16 @@ std::string anysl::render::imageFileName(const OutputFile &output) {
   return output.name + ".png";
 }
 
+void anysl::render::checkOutput(const OutputFile &output) {
+  fs::path name = imageFileName(output);
+  std::error_code error;
+  if (name.has_parent_path() && !fs::is_directory(name.parent_path(), error))
+    throw UserError(output.where, "cannot write '" + name.string() + "': there is no folder '" +
+                                      name.parent_path().string() + "'");
+  if (!OIIO::ImageOutput::create(name.string()))
+    throw UserError(output.where, "cannot write '" + name.string() + "': " + OIIO::geterror());
+}
+
 void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
                                const OutputFile &output) {
   fs::path name = imageFileName(output);

@@ -24,6 +24,10 @@ struct Film {
 /// The type of a file: from its suffix, else from the type that the scene states.
 std::string imageFileName(const OutputFile &output);
 
+/// Throws UserError where the file's type is not known or its folder does not exist: better before
+/// rendering than after.
+void checkOutput(const OutputFile &output);
+
 /// Writes the picture. Floating-point formats get the linear values times the exposure's gain; others
 /// are encoded as sRGB, or, where the scene asks for a gamma other than 1, by that gamma.
 /// The file appears under its name only when it is complete. Throws UserError where it cannot be

@@ -91,6 +91,8 @@ void writeStats(const Options &options, const SceneDescription &scene, const Ren
 bool renderScene(const Options &options, const SceneDescription &scene, Watch *watch, unsigned threads,
                  Warnings &warnings) {
   auto begin = std::chrono::steady_clock::now();
+  for (const OutputFile &output : scene.outputs)
+    checkOutput(output);
   ShaderCache cache(options.cacheFolder, options.target);
   cache.searchPath = shaderPath(options, scene);
   // The scalar runtime is known by its name; any other is taken for one of packets, and refused if
