@@ -9,11 +9,12 @@
 
 namespace anysl::verify {
 
-#define MATH_TIER(name, bound, boundForDouble) extern const Batch name##Batches[];
+#define MATH_TIER(name, bound, boundForDouble) extern const Batch name##Batches[], name##Fused[];
 #include "runtimes/math/Tiers.def"
 
 static constexpr Tier Table[] = {
-#define MATH_TIER(name, bound, boundForDouble) {#name, bound, boundForDouble, name##Batches},
+#define MATH_TIER(name, bound, boundForDouble)                                                     \
+  {#name, bound, boundForDouble, name##Batches, name##Fused},
 #include "runtimes/math/Tiers.def"
 };
 

@@ -30,7 +30,8 @@ struct Tier {
   /// The bound on the error in ULP for float and for double. The tier `fast` has 0 for float: its
   /// bound is the table's fastBits.
   double bound, boundForDouble;
-  const Batch *batches;
+  const Batch *batches; ///< without fused multiply-adds in hardware
+  const Batch *fused;   ///< with them, for a processor that has AVX2 and FMA
 };
 
 std::span<const Tier> tiers();

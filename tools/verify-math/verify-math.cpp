@@ -54,6 +54,9 @@ static cl::opt<std::string> TableFile("table",
                                       cl::desc("CSV file whose rows are replaced by what is "
                                                "measured, if over no fewer inputs"),
                                       cl::value_desc("file"), cl::cat(Options));
+static cl::opt<bool> Fused("fused",
+                           cl::desc("Check the code for processors with fused multiply-adds"),
+                           cl::cat(Options));
 static cl::opt<bool> ListMisrounded("list-misrounded",
                                     cl::desc("Print each argument whose result is not correctly "
                                              "rounded (for tiers that round nearly all correctly)"),
@@ -173,7 +176,8 @@ void checkFloats(const Plan &plan, const std::vector<const Tier *> &used, size_t
     truth[i] = truthOf(plan.function, a.x, a.y);
   }
   for (size_t t = 0; t < used.size(); ++t) {
-    used[t]->batches[index].ofFloats(x.data(), y.data(), result.data(), n);
+    (Fused ? used[t]->fused : used[t]->batches)[index].ofFloats(x.data(), y.data(), result.data(),
+                                                                n);
     for (size_t i = 0; i < n; ++i) {
       uint64_t before = found[t].misrounded;
       found[t].add(truth[i], result[i], x[i], y[i]);
@@ -194,7 +198,8 @@ void checkDoubles(const Plan &plan, const std::vector<const Tier *> &used, size_
     y[i] = a.y;
   }
   for (size_t t = 0; t < used.size(); ++t) {
-    used[t]->batches[index].ofDoubles(x.data(), y.data(), result.data(), n);
+    (Fused ? used[t]->fused : used[t]->batches)[index].ofDoubles(x.data(), y.data(), result.data(),
+                                                                 n);
     for (size_t i = 0; i < n; ++i)
       found[t].addDouble(plan.function, x[i], y[i], result[i]);
   }
@@ -318,6 +323,10 @@ int main(int argc, char **argv) {
   cl::ParseCommandLineOptions(argc, argv, "Checks the bounds of the math tiers\n");
   if (Sample == 0 || (Type != "float" && Type != "double" && Type != "both")) {
     errs() << "verify-math: --sample wants a number above 0, --type one of float, double, both\n";
+    return 1;
+  }
+  if (Fused && !(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))) {
+    errs() << "verify-math: this processor has no fused multiply-add\n";
     return 1;
   }
   auto used = chosen<Tier>(TierNames, tiers(), findTier, "tier");
