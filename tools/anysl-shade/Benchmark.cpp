@@ -5,15 +5,16 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// All widths take turns, so that a machine that slows down or is shared does so for all alike, and
-// medians are compared, so that a disturbed round does not count.
+// All widths take turns, so that a machine that slows down does so for all alike; the thread's own processor
+// time is measured, so that other programs do not count; and medians are compared, so that a disturbed
+// round does not matter.
 //
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-shade/Output.h"
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 
 namespace anysl::shade {
 namespace {
@@ -21,9 +22,11 @@ namespace {
 constexpr int rounds = 21;
 constexpr double secondsPerSample = 2e-3;
 
+/// Seconds of processor time that this thread has had: other programs do not count.
 double now() {
-  auto time = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(time).count();
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 struct Candidate {
