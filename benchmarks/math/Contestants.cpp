@@ -13,12 +13,15 @@
 #include <cmath>
 
 namespace anysl::verify {
-#define MATH_TIER(name, bound, boundForDouble)                                                     \
-  extern const Batch name##_scalar[], name##_avx2[], name##_avx512[];
+#define MATH_TIER(name, bound, boundForDouble) extern const Batch name##_scalar[];
 #include "runtimes/math/Tiers.def"
 } // namespace anysl::verify
 
 namespace anysl::bench {
+
+#define MATH_TIER(name, bound, boundForDouble)                                                     \
+  extern const Kernel name##Widened8[], name##Widened16[];
+#include "runtimes/math/Tiers.def"
 
 namespace {
 
@@ -50,9 +53,9 @@ std::vector<Contestant> contestantsFor(std::string_view function, size_t index) 
 #define MATH_TIER(name, bound, boundForDouble)                                                     \
   result.push_back({#name, 1, verify::name##_scalar[index].ofFloats});                             \
   if (avx2)                                                                                        \
-    result.push_back({#name, 8, verify::name##_avx2[index].ofFloats});                             \
+    result.push_back({#name, 8, name##Widened8[index]});                                           \
   if (avx512)                                                                                      \
-    result.push_back({#name, 16, verify::name##_avx512[index].ofFloats});
+    result.push_back({#name, 16, name##Widened16[index]});
 #include "runtimes/math/Tiers.def"
   for (const Scalar &s : glibc)
     if (function == s.function)

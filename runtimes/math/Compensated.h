@@ -7,16 +7,15 @@
 //
 // Exponentials and logarithms are sums in which one term is large and known exactly; the rest may
 // then carry the few roundings that float evaluation brings. That takes half the time of double,
-// and no fused multiply-add.
+// and no fused multiply-add. Arguments that are denormal, infinite or NaN, or that lead there,
+// branch off to InDouble.h, where they cost no more than others.
 //
 //===------------------------------------------------------------------------------------------===//
 
 #ifndef ANYSL_RUNTIMES_MATH_COMPENSATED_H
 #define ANYSL_RUNTIMES_MATH_COMPENSATED_H
 
-#include "runtimes/math/Coefficients.h"
-#include "runtimes/math/Core.h"
-#include "runtimes/math/Special.h"
+#include "runtimes/math/InDouble.h"
 
 namespace anysl::tier {
 
@@ -30,7 +29,8 @@ ANYSL_TIER float expCompensated(float high, float low, UInt32 bits) {
 }
 
 ANYSL_TIER float expInFloatOnly(float x) {
-  x = clampKeepNaN(x, -110.0f, 95.0f);
+  if (__builtin_expect(!(magnitude(x) < 87), 0))
+    return expInDouble<ShortPolynomials>(x);
   float t = x * 0x1.715476p+0f + RoundShiftF;
   float n = t - RoundShiftF;
   // n·high is exact: high has 15 bits.
@@ -40,7 +40,8 @@ ANYSL_TIER float expInFloatOnly(float x) {
 }
 
 ANYSL_TIER float exp2InFloatOnly(float x) {
-  x = clampKeepNaN(x, -160.0f, 140.0f);
+  if (__builtin_expect(!(magnitude(x) < 125), 0))
+    return exp2InDouble<ShortPolynomials>(x);
   float t = x + RoundShiftF;
   float f = x - (t - RoundShiftF);
   // f·log 2 as a sum, from parts of 12 bits.
@@ -50,19 +51,6 @@ ANYSL_TIER float exp2InFloatOnly(float x) {
   return expCompensated(r, (a - r) + b, bitsOf(t));
 }
 
-/// A positive finite x as (1 + f)·2^n, 1 + f in [sqrt 1/2, sqrt 2).
-struct DecomposedF {
-  float f, n;
-};
-ANYSL_TIER DecomposedF decomposeF(float x) {
-  constexpr UInt32 lowest = 0x3f3504f3, one = 0x3f800000;
-  bool tiny = x < 0x1p-126f;
-  UInt32 bits = bitsOf(tiny ? x * 0x1p23f : x);
-  UInt32 shifted = bits - lowest + one;
-  float m = fromBits(bits - (shifted & 0xff800000u) + one);
-  return {m - 1, float(Int32(shifted >> 23) - (tiny ? 127 + 23 : 127))};
-}
-
 /// log(1+f) = f + this; only the rounding of f² counts.
 ANYSL_TIER float logTail(float f) {
   float square = f * f;
@@ -70,15 +58,18 @@ ANYSL_TIER float logTail(float f) {
 }
 
 ANYSL_TIER float logInFloatOnly(float x) {
+  if (__builtin_expect(!isPositiveNormal(x), 0))
+    return logInDouble<ShortPolynomials>(x);
   DecomposedF d = decomposeF(x);
-  float y = d.n * 0x1.62e4p-1f + (d.f + (logTail(d.f) + d.n * 0x1.7f7d1cp-20f));
-  return isPositiveFinite(x) ? y : logSpecial(x);
+  return d.n * 0x1.62e4p-1f + (d.f + (logTail(d.f) + d.n * 0x1.7f7d1cp-20f));
 }
 
 /// n·unit + log(1+f)·(high + low). The logarithm is kept as a sum, of whose larger part the upper
 /// 12 bits are multiplied exactly by the 12 bits of `high`.
 template <class Base>
 ANYSL_TIER float logScaled(float x, Base) {
+  if (__builtin_expect(!isPositiveNormal(x), 0))
+    return Base::inDouble(x);
   DecomposedF d = decomposeF(x);
   float tail = logTail(d.f);
   float l = d.f + tail;
@@ -86,15 +77,16 @@ ANYSL_TIER float logScaled(float x, Base) {
   float upper = upperBits(l), lower = (l - upper) + tail;
   float rest = lower * Base::high + l * Base::low + d.n * Base::unitLow;
   float a = d.n * Base::unitHigh, b = upper * Base::high, sum = a + b;
-  float y = sum + (((a - sum) + b) + rest);
-  return isPositiveFinite(x) ? y : logSpecial(x);
+  return sum + (((a - sum) + b) + rest);
 }
 struct Base2 {
   static constexpr float high = 0x1.716p+0f, low = -0x1.7135a8p-13f, unitHigh = 1, unitLow = 0;
+  static ANYSL_TIER float inDouble(float x) { return log2InDouble<ShortPolynomials>(x); }
 };
 struct Base10 {
   static constexpr float high = 0x1.bccp-2f, low = -0x1.09d5b2p-15f, unitHigh = 0x1.344p-2f,
                          unitLow = 0x1.3509f8p-18f;
+  static ANYSL_TIER float inDouble(float x) { return log10InDouble<ShortPolynomials>(x); }
 };
 
 } // namespace anysl::tier

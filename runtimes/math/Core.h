@@ -91,13 +91,17 @@ inline constexpr float RoundShiftF = 0x1.8p23f;
 /// 2^n for −1022 <= n <= 1023.
 ANYSL_TIER double powerOfTwo(UInt64 n) { return fromBits((n + 1023) << 52); }
 
-/// y·2^n for −160 <= n <= 140, n in the low bits of `bits`: two factors, so that denormal results
-/// are rounded once and overflow happens at the end.
-ANYSL_TIER float scaleBy(float y, UInt32 bits) {
-  UInt32 half = (bits << 22) & 0xff800000u;
-  float first = fromBits(half + 0x3f800000u);
-  float second = fromBits((bits << 23) - half + 0x3f800000u);
-  return y * first * second;
+/// y·2^n where that is normal; n in the low bits of `bits`.
+ANYSL_TIER float scaleBy(float y, UInt32 bits) { return fromBits(bitsOf(y) + (bits << 23)); }
+
+/// A float as (1 + f)·2^n, 1 + f in [sqrt 1/2, sqrt 2), where it is positive, normal and finite.
+struct DecomposedF {
+  float f, n;
+};
+ANYSL_TIER DecomposedF decomposeF(float x) {
+  constexpr Int32 rootHalf = 0x3f3504f3;
+  Int32 n = (Int32(bitsOf(x)) - rootHalf) >> 23;
+  return {fromBits(bitsOf(x) - (UInt32(n) << 23)) - 1, float(n)};
 }
 
 /// A finite positive normal x as m · 2^exponent with m in [sqrt 1/2, sqrt 2).

@@ -353,11 +353,10 @@ ANYSL_TIER float cbrtInDouble(float x) {
 
 /// One step of Newton's iteration in double from a float quotient.
 ANYSL_TIER float inverseSqrtInDouble(float x) {
-  float start = 1 / squareRoot(x);
-  double r = start;
-  double y = r + r * (0.5 * (1 - double(x) * (r * r)));
-  bool ordinary = x > 0 && x < Infinity<float>;
-  return ordinary ? float(y) : start;
+  if (__builtin_expect(!isPositiveNormal(x), 0))
+    return float(1 / squareRoot(double(x)));
+  double r = 1 / squareRoot(x);
+  return float(r + r * (0.5 * (1 - double(x) * (r * r))));
 }
 
 ANYSL_TIER float hypotInDouble(float x, float y) {

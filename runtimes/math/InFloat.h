@@ -14,10 +14,7 @@
 #ifndef ANYSL_RUNTIMES_MATH_INFLOAT_H
 #define ANYSL_RUNTIMES_MATH_INFLOAT_H
 
-#include "runtimes/math/Coefficients.h"
-#include "runtimes/math/Core.h"
-#include "runtimes/math/Special.h"
-#include "runtimes/math/Turns.h"
+#include "runtimes/math/InDouble.h"
 
 namespace anysl::tier {
 
@@ -187,7 +184,8 @@ ANYSL_TIER float atan2InFloat(float y, float x) {
 
 template <class C>
 ANYSL_TIER float expInFloat(float x) {
-  x = clampKeepNaN(x, -110.0f, 95.0f);
+  if (__builtin_expect(!(magnitude(x) < 87), 0))
+    return expInDouble<ShortPolynomials>(x);
   float t = fma(x, 0x1.715476p+0f, RoundShiftF);
   float n = t - RoundShiftF;
   if constexpr (C::coarse) {
@@ -202,16 +200,16 @@ ANYSL_TIER float expInFloat(float x) {
 
 template <class C>
 ANYSL_TIER float exp2InFloat(float x) {
-  x = clampKeepNaN(x, -160.0f, 140.0f);
+  if (__builtin_expect(!(magnitude(x) < 125), 0))
+    return exp2InDouble<ShortPolynomials>(x);
   float t = x + RoundShiftF;
   float f = x - (t - RoundShiftF);
   return scaleBy(fma(f, hornerFused(C::exp2, f), 1), bitsOf(t));
 }
 
-/// sinh(a) and cosh(a) for 0 <= a <= 95, both times 2^−n; see Hyperbolic.
+/// sinh a and cosh a for 0 <= a <= 87; see Hyperbolic.
 struct HyperbolicF {
   float sinh, cosh;
-  UInt32 bits;
 };
 template <class C>
 ANYSL_TIER HyperbolicF hyperbolicF(float a) {
@@ -222,25 +220,29 @@ ANYSL_TIER HyperbolicF hyperbolicF(float a) {
   float z = r * r;
   constexpr Fusion F = Fusion::Always;
   float even = horner<F, 0, 2>(C::expm1, z), odd = r * horner<F, 1, 2>(C::expm1, z);
-  // Halves of 2^n and 2^−n, both divided by 2^n.
-  UInt32 bits = bitsOf(t);
-  bits = a > 40 ? 0x4b400020u : bits; // where 2^−2n is nothing beside 1
-  float up = 0.5f, down = fromBits(0x3f000000u - (bits << 24));
+  float up = fromBits((bitsOf(t) << 23) + 0x3f000000u),
+        down = fromBits(0x3f000000u - (bitsOf(t) << 23));
   float difference = up - down, sum = up + down;
   return {fma(r, fma(sum, even, difference * odd), difference),
-          fma(r, fma(difference, even, sum * odd), sum), bitsOf(t)};
+          fma(r, fma(difference, even, sum * odd), sum)};
 }
 
 template <class C>
 ANYSL_TIER float sinhInFloat(float x) {
-  HyperbolicF h = hyperbolicF<C>(clampKeepNaN(magnitude(x), 0.0f, 95.0f));
-  return copySign(scaleBy(h.sinh, h.bits), x);
+  float a = magnitude(x);
+  if (__builtin_expect(!(a < 87), 0))
+    return sinhInDouble<ShortPolynomials>(x);
+  HyperbolicF h = hyperbolicF<C>(a);
+  return copySign(h.sinh, x);
 }
 
 template <class C>
 ANYSL_TIER float coshInFloat(float x) {
-  HyperbolicF h = hyperbolicF<C>(clampKeepNaN(magnitude(x), 0.0f, 95.0f));
-  return scaleBy(h.cosh, h.bits);
+  float a = magnitude(x);
+  if (__builtin_expect(!(a < 87), 0))
+    return coshInDouble<ShortPolynomials>(x);
+  HyperbolicF h = hyperbolicF<C>(a);
+  return h.cosh;
 }
 
 template <class C>
@@ -251,21 +253,31 @@ ANYSL_TIER float tanhInFloat(float x) {
 
 //===-- log, log2, log10 ----------------------------------------------------//
 
-/// log m·scale + exponent·unit for x = m·2^exponent.
+/// log x, given C's polynomial.
 template <class C>
-ANYSL_TIER float logInFloat(float x, float scale, float unitHigh, float unitLow) {
-  constexpr UInt32 rootHalf = 0x3f3504f3, one = 0x3f800000;
-  bool tiny = x < 0x1p-126f;
-  UInt32 bits = bitsOf(tiny ? x * 0x1p23f : x);
-  UInt32 shifted = bits - rootHalf + one;
-  float m = fromBits(bits - (shifted & 0xff800000u) + one);
-  float n = float(Int32(shifted >> 23) - (tiny ? 127 + 23 : 127));
-  float f = m - 1;
-  float l = f * hornerFused(C::log, f);
-  float y = fma(n, unitHigh, scale == 1 ? fma(n, unitLow, l) : fma(l, scale, n * unitLow));
-  float special = x < 0 ? NotANumber<float> : x + x;
-  special = x == 0 ? -Infinity<float> : special;
-  return x > 0 && x < Infinity<float> ? y : special;
+ANYSL_TIER float logInFloat(float x) {
+  if (__builtin_expect(!isPositiveNormal(x), 0))
+    return logInDouble<ShortPolynomials>(x);
+  DecomposedF d = decomposeF(x);
+  float l = fma(d.f, hornerFused(C::log, d.f), d.n * -0x1.05c61p-29f);
+  return fma(d.n, 0x1.62e43p-1f, l);
+}
+
+template <class C>
+ANYSL_TIER float log2InFloat(float x) {
+  if (__builtin_expect(!isPositiveNormal(x), 0))
+    return log2InDouble<ShortPolynomials>(x);
+  DecomposedF d = decomposeF(x);
+  return fma(d.f * hornerFused(C::log, d.f), 0x1.715476p+0f, d.n);
+}
+
+template <class C>
+ANYSL_TIER float log10InFloat(float x) {
+  if (__builtin_expect(!isPositiveNormal(x), 0))
+    return log10InDouble<ShortPolynomials>(x);
+  DecomposedF d = decomposeF(x);
+  float l = d.f * hornerFused(C::log, d.f);
+  return fma(d.n, 0x1.344136p-2f, fma(l, 0x1.bcb7b2p-2f, d.n * -0x1.ec10cp-27f));
 }
 
 //===-- pow -----------------------------------------------------------------//
@@ -286,7 +298,8 @@ ANYSL_TIER float powInFloat(float x, float y) {
   double e = clampKeepNaN(l * double(y), -160.0, 140.0);
   double t = e + RoundShift;
   float g = float(e - (t - RoundShift));
-  float power = scaleBy(fma(g, hornerFused(C::exp2, g), 1), UInt32(bitsOf(t)));
+  double scaled = fma(g, hornerFused(C::exp2, g), 1);
+  float power = float(fromBits(bitsOf(scaled) + (bitsOf(t) << 52)));
   power = y == 1 ? magnitude(x) : power;
   return powSpecial(x, y, power);
 }
@@ -296,10 +309,11 @@ ANYSL_TIER float powInFloat(float x, float y) {
 template <class C>
 ANYSL_TIER float cbrtInFloat(float x) {
   float a = magnitude(x);
-  bool tiny = a < 0x1p-126f;
-  UInt32 bits = bitsOf(tiny ? a * 0x1p24f : a);
+  if (__builtin_expect(!isPositiveNormal(a), 0))
+    return cbrtInDouble<ShortPolynomials>(x);
+  UInt32 bits = bitsOf(a);
   float m = fromBits((bits & 0x007fffffu) | 0x3f800000u);
-  UInt32 e = (bits >> 23) - 127 + (tiny ? 150 - 24 : 150);
+  UInt32 e = (bits >> 23) - 127 + 150;
   UInt32 q = (e * 21846) >> 16;
   UInt32 j = e - 3 * q;
   float r = hornerFused(C::inverseCbrt, m);
@@ -310,7 +324,14 @@ ANYSL_TIER float cbrtInFloat(float x) {
     y = fma(fma(-y * y, y, m), r * r * (1.0f / 3), y);
   y *= j == 0 ? 1.0f : j == 1 ? 0x1.428a3p+0f : 0x1.965feap+0f;
   y *= fromBits((q + 127 - 50) << 23);
-  return a > 0 && a < Infinity<float> ? copySign(y, x) : x + x;
+  return copySign(y, x);
+}
+
+template <class C>
+ANYSL_TIER float inverseSqrtInFloat(float x) {
+  if (__builtin_expect(!isPositiveNormal(x), 0))
+    return float(1 / squareRoot(double(x)));
+  return 1 / squareRoot(x);
 }
 
 /// The sides are scaled by the larger one's exponent, so that squares neither overflow nor vanish.

@@ -12,6 +12,9 @@
 
 namespace anysl::tier {
 
+/// Whether x is positive, normal and finite: one comparison of integers.
+ANYSL_TIER bool isPositiveNormal(float x) { return bitsOf(x) - 0x00800000u < 0x7f000000u; }
+
 /// What log, log2 and log10 give for an x that is not positive and finite.
 ANYSL_TIER float logSpecial(float x) {
   float y = x < 0 ? NotANumber<float> : x + x;

@@ -25,17 +25,13 @@ ANYSL_TIER float cosh(float x) { return coshInFloat<MediumPolynomials>(x); }
 ANYSL_TIER float tanh(float x) { return tanhInFloat<MediumPolynomials>(x); }
 ANYSL_TIER float exp(float x) { return expInFloat<MediumPolynomials>(x); }
 ANYSL_TIER float exp2(float x) { return exp2InFloat<MediumPolynomials>(x); }
-ANYSL_TIER float log(float x) {
-  return logInFloat<MediumPolynomials>(x, 1, 0x1.62e43p-1f, -0x1.05c61p-29f);
-}
-ANYSL_TIER float log2(float x) { return logInFloat<MediumPolynomials>(x, 0x1.715476p+0f, 1, 0); }
-ANYSL_TIER float log10(float x) {
-  return logInFloat<MediumPolynomials>(x, 0x1.bcb7b2p-2f, 0x1.344136p-2f, -0x1.ec10cp-27f);
-}
+ANYSL_TIER float log(float x) { return logInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float log2(float x) { return log2InFloat<MediumPolynomials>(x); }
+ANYSL_TIER float log10(float x) { return log10InFloat<MediumPolynomials>(x); }
 ANYSL_TIER float pow(float x, float y) { return powInFloat<MediumPolynomials>(x, y); }
 ANYSL_TIER float cbrt(float x) { return cbrtInFloat<MediumPolynomials>(x); }
 ANYSL_TIER float sqrt(float x) { return squareRoot(x); }
-ANYSL_TIER float inversesqrt(float x) { return 1 / squareRoot(x); }
+ANYSL_TIER float inversesqrt(float x) { return inverseSqrtInFloat<MediumPolynomials>(x); }
 ANYSL_TIER float reciprocal(float x) { return 1 / x; }
 ANYSL_TIER float divide(float x, float y) { return x / y; }
 ANYSL_TIER float hypot(float x, float y) { return hypotInFloat(x, y); }
