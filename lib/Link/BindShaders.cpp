@@ -15,6 +15,7 @@
 #include "lib/Link/Session.h"
 #include "llvm/ADT/MapVector.h"
 #include "llvm/ADT/SetVector.h"
+#include "llvm/ADT/StringSet.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/Instructions.h"
 #include "llvm/Transforms/IPO/GlobalDCE.h"
@@ -75,17 +76,15 @@ Function *hookNamed(Session &session, StringRef root, StringRef hook) {
 
 /// The effects and services of the operators that the shader reaches, and their names.
 void noteOperators(Shader &shader) {
-  SmallSetVector<Function *, 32> reached;
-  reached.insert(shader.info.body);
-  reached.insert(shader.info.init);
-  for (unsigned i = 0; i < reached.size(); ++i)
-    for (Instruction &instruction : instructions(reached[i]))
+  // The stage `lower` has yet to come: structural operators are declarations.
+  StringSet<> called;
+  for (Function *function : reachableFrom({shader.info.body, shader.info.init}))
+    for (Instruction &instruction : instructions(function))
       if (auto *call = dyn_cast<CallBase>(&instruction))
         if (Function *callee = call->getCalledFunction())
-          reached.insert(callee);
-
+          called.insert(callee->getName());
   for (const stc::OpInfo &op : stc::allOps()) {
-    if (none_of(reached, [&](Function *function) { return function->getName() == op.symbol(); }))
+    if (!called.contains(op.symbol()))
       continue;
     shader.report.ops.push_back(op.name.str());
     shader.effects |= 1u << unsigned(op.effect);

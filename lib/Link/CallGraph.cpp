@@ -62,6 +62,17 @@ bool refuseRecursion(Session &session, Function &root) {
   return RecursionFinder(session).visit(root);
 }
 
+SmallSetVector<Function *, 8> reachableFrom(ArrayRef<Function *> roots) {
+  SmallSetVector<Function *, 8> reached;
+  reached.insert(roots.begin(), roots.end());
+  for (unsigned i = 0; i < reached.size(); ++i)
+    for (Instruction &instruction : instructions(reached[i]))
+      if (auto *call = dyn_cast<CallBase>(&instruction))
+        if (Function *callee = call->getCalledFunction(); callee && !callee->isDeclaration())
+          reached.insert(callee);
+  return reached;
+}
+
 std::vector<std::string> callsIn(const Function &function) {
   SetVector<StringRef> names;
   for (const Instruction &instruction : instructions(function)) {

@@ -39,6 +39,7 @@ bool finish(Session &session) {
   inlineAndSimplify(*session.module, session.target);
   dropMarkers(*session.module);
   removeUnused(*session.module);
+  keepLines(*session.module);
   return true;
 }
 

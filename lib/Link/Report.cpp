@@ -22,7 +22,10 @@ json::Array list(const std::vector<T> &values) {
 }
 
 json::Value toJson(const WideningRemark &remark) {
-  json::Object object{{"width", remark.width}, {"kind", remark.kind}, {"message", remark.message}};
+  json::Object object{{"width", remark.width},
+                      {"function", remark.function},
+                      {"kind", remark.kind},
+                      {"message", remark.message}};
   if (remark.position) {
     object["file"] = remark.position.file;
     object["line"] = remark.position.line;

@@ -24,7 +24,8 @@ struct StageTime {
 /// Something that widening could not do for all lanes at once.
 struct WideningRemark {
   unsigned width = 0;
-  std::string kind; ///< "lane by lane", "gather", "divergent loop"
+  std::string function; ///< the shader, or a function that the runtime keeps apart
+  std::string kind;     ///< "lane by lane", "gather", "divergent loop"
   std::string message;
   FilePosition position;
 };

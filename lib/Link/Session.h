@@ -11,6 +11,7 @@
 #include "lib/Link/Linker.h"
 #include "lib/STC/Reader.h"
 #include "llvm/ADT/BitVector.h"
+#include "llvm/ADT/SetVector.h"
 
 namespace llvm {
 class MemoryBuffer;
@@ -83,11 +84,18 @@ bool openLayers(Session &session);
 /// inlining would not end. Gives false if there is any.
 bool refuseRecursion(Session &session, llvm::Function &root);
 
+/// The functions with a body that a function leads to by direct calls, itself included, in the
+/// order in which they are found.
+llvm::SmallSetVector<llvm::Function *, 8> reachableFrom(llvm::ArrayRef<llvm::Function *> roots);
+
 /// Marks the loads of a function (ptr args, …) that read what no shading changes.
 void markInvariants(llvm::Function &shade);
 
 /// Turns pointers through which an internal function only gives results into returned values.
 void returnOutputs(llvm::Module &module);
+
+/// Enters the functions that are left into the debug information, if there is any.
+void keepLines(llvm::Module &module);
 
 /// Direct calls in a function of what has a body or a name: everything but intrinsics. Indirect
 /// calls count as "a service".

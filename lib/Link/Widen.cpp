@@ -14,6 +14,7 @@
 #include "lib/Link/WideForms.h"
 #include "lib/Support/Tool.h"
 #include "passes/Vectorize/Vectorize.h"
+#include "llvm/Demangle/Demangle.h"
 #include "llvm/IR/DebugInfoMetadata.h"
 #include "llvm/IR/GlobalVariable.h"
 #include "llvm/IR/Module.h"
@@ -50,19 +51,27 @@ StringRef nameOf(VectorizeRemark::Kind kind) {
   llvm_unreachable("no such kind of remark");
 }
 
+/// Notes a remark with every shader that it concerns: the one widened, or those that call a
+/// function which the runtime keeps apart and which had to be widened with them.
 void noteRemark(Session &session, unsigned width, const VectorizeRemark &remark) {
   if (remark.kind == VectorizeRemark::Kind::Widened)
     return;
   for (Shader &shader : session.shaders) {
-    if (shader.point->getName() != remark.function)
+    if (none_of(reachableFrom(shader.point),
+                [&](Function *function) { return function->getName() == remark.function; }))
       continue;
-    WideningRemark noted{width, nameOf(remark.kind).str(), remark.message, {}};
+    bool isShader = remark.function == shader.point->getName();
+    WideningRemark noted{width,
+                         isShader ? shader.info.name : demangle(remark.function),
+                         nameOf(remark.kind).str(),
+                         remark.message,
+                         {}};
     if (DILocation *location = remark.location.get())
       noted.position = {location->getFilename().str(), location->getLine(), location->getColumn()};
     // The two forms of a width say the same.
     auto same = [&](const WideningRemark &other) {
-      return other.width == noted.width && other.message == noted.message &&
-             other.position.file == noted.position.file &&
+      return other.width == noted.width && other.function == noted.function &&
+             other.message == noted.message && other.position.file == noted.position.file &&
              other.position.line == noted.position.line &&
              other.position.column == noted.position.column;
     };
