@@ -39,7 +39,7 @@ SCALAR: "fallbacks": [
 SCALAR: "line": [[#@LINE+7]],
 SCALAR-NEXT: "message": "loads from an unrelated address in each lane"
 SCALAR: "function": "(anonymous namespace)::scalarTrace(
-SCALAR-NEXT: "kind": "lane by lane"
+SCALAR: "kind": "lane by lane"
 ERROR: x.json: error: cannot write the file
 */
 
