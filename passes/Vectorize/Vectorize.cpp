@@ -12,6 +12,8 @@
 #include "passes/Vectorize/Stages.h"
 #include "passes/Vectorize/Widener.h"
 
+#include "llvm/IR/InstIterator.h"
+#include "llvm/IR/IntrinsicInst.h"
 #include "llvm/IR/Module.h"
 #include "llvm/IR/VFABIDemangler.h"
 #include "llvm/IR/Verifier.h"
@@ -97,6 +99,26 @@ void setVectorWidth(Function &function, unsigned bits) {
 //===-- One variant ---------------------------------------------------------===//
 
 namespace {
+
+/// The bits of the widest vector in a type, be it a structure's, an array's or a function's.
+unsigned widestVector(Type *type) {
+  unsigned bits = 0;
+  if (auto *vector = dyn_cast<FixedVectorType>(type))
+    bits = vector->getNumElements() *
+           (vector->getElementType()->isPointerTy() ? 64 : vector->getScalarSizeInBits());
+  for (Type *part : type->subtypes())
+    bits = std::max(bits, widestVector(part));
+  return bits;
+}
+
+/// The same for what a function's calls pass and return.
+unsigned widestPassed(const Function &function) {
+  unsigned bits = 0;
+  for (const Instruction &instruction : instructions(function))
+    if (const auto *call = dyn_cast<CallBase>(&instruction); call && !isa<IntrinsicInst>(call))
+      bits = std::max(bits, widestVector(call->getFunctionType()));
+  return bits;
+}
 
 /// Makes the variants of a module one after the other; calls inside them ask for more.
 class VariantMaker : public VariantProvider {
@@ -269,18 +291,7 @@ void VariantMaker::setAttributes(Function &wide, const Function &scalar, const V
   }
   unsigned bits = registerBits(name.isa, true);
   if (!bits) {
-    bits = 0;
-    auto consider = [&](Type *type) {
-      if (auto *vector = dyn_cast<FixedVectorType>(type))
-        bits = std::max<unsigned>(bits, vector->getNumElements() *
-                                            (vector->getElementType()->isPointerTy()
-                                                 ? 64
-                                                 : vector->getScalarSizeInBits()));
-    };
-    consider(FixedVectorType::get(Type::getInt32Ty(context), name.width));
-    consider(wide.getReturnType());
-    for (Type *type : wide.getFunctionType()->params())
-      consider(type);
+    bits = std::max<unsigned>(32 * name.width, widestVector(wide.getFunctionType()));
     bits = std::min(bits, 512u);
   }
   setVectorWidth(wide, bits);
@@ -342,6 +353,10 @@ bool VariantMaker::make(const Job &job) {
             *this, remarks, scalar)
         .run();
   }
+  // Where two functions disagree on whether a 512-bit register is there, one passes what the other does
+  // not find.
+  if (unsigned bits = widestPassed(wide))
+    setVectorWidth(wide, std::min(bits, 512u));
   wide.setSubprogram(copy->getSubprogram());
   copy->setSubprogram(nullptr);
   functionAnalyses.clear(*copy, copy->getName());
