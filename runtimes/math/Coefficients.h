@@ -250,6 +250,11 @@ inline constexpr float ExpFloat[5] = {
     0x1.fffffc0000000p-2f, 0x1.5554940000000p-3f,  0x1.5558be0000000p-5f,
     0x1.12385a0000000p-7f, 0x1.6a3d320000000p-10f,
 };
+/// asin r = r + r z P(z), |r| <= 1/2. Error 2^-27.6.
+inline constexpr float AsinFloat[5] = {
+    0x1.5555c80000000p-3f, 0x1.3302020000000p-4f, 0x1.747bec0000000p-5f,
+    0x1.8c3c680000000p-6f, 0x1.595dea0000000p-5f,
+};
 /// log(1+f) = f - f^2/2 + f^3 P(f). Error 2^-30.3.
 inline constexpr float LogFloat[9] = {
     0x1.5555480000000p-2f,  -0x1.0000060000000p-2f, 0x1.99a4760000000p-3f,

@@ -89,6 +89,49 @@ struct Base10 {
   static ANYSL_TIER float inDouble(float x) { return log10InDouble<ShortPolynomials>(x); }
 };
 
+//===-- asin, acos ----------------------------------------------------------//
+
+/// asin a = angle + low for a <= 1/2; above, that of sqrt((1−a)/2).
+struct AngleF {
+  float angle, low;
+};
+ANYSL_TIER AngleF asinReducedCompensated(float a) {
+  bool upper = a > 0.5f;
+  float z = upper ? 0.5f - 0.5f * a : a * a; // exact above
+  float root = squareRoot(z);
+  // What the root's rounding has left: z − root², with root split into two factors of 12 bits.
+  float high = upperBits(root), low = root - high;
+  float rest = (z - high * high) - low * (high + root);
+  float rootLow = rest / (root + root + 0x1p-100f);
+  float s = upper ? root : a;
+  return {s, s * (z * horner(AsinFloat, z)) + (upper ? rootLow : 0)};
+}
+
+/// The float nearest pi/2, and the rest.
+inline constexpr float HalfPiHigh = 0x1.921fb6p+0f, HalfPiLow = -0x1.777a5cp-25f;
+
+ANYSL_TIER float asinInFloatOnly(float x) {
+  float a = magnitude(x);
+  AngleF h = asinReducedCompensated(a);
+  float twice = 2 * h.angle, d = HalfPiHigh - twice;
+  float upper = d + (((HalfPiHigh - d) - twice) + (HalfPiLow - 2 * h.low));
+  return copySign(a > 0.5f ? upper : h.angle + h.low, x);
+}
+
+ANYSL_TIER float acosInFloatOnly(float x) {
+  float a = magnitude(x);
+  AngleF h = asinReducedCompensated(a);
+  // pi/2 − asin x, or pi − twice the reduced angle, or twice that.
+  bool outer = a > 0.5f, negative = x < 0;
+  float factor = outer ? 2.0f : 1.0f;
+  float angle = factor * copySign(h.angle, outer ? -x : x), low = factor * h.low;
+  low = (angle < 0) == (h.angle < 0) ? low : -low;
+  float base = outer ? (negative ? 2 * HalfPiHigh : 0) : HalfPiHigh;
+  float baseLow = outer ? (negative ? 2 * HalfPiLow : 0) : HalfPiLow;
+  float d = base - angle;
+  return d + (((base - d) - angle) + (baseLow - low));
+}
+
 } // namespace anysl::tier
 
 #endif // ANYSL_RUNTIMES_MATH_COMPENSATED_H

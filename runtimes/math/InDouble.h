@@ -165,6 +165,11 @@ ANYSL_TIER double atanQuadrant(double y, double x) {
   double bottom = turned ? small + large : large;
   double t = top / (bottom == 0 ? 1 : bottom);
   double z = t * t;
+  if constexpr (!C::exact) {
+    double a = t * (z * horner<C::fusion>(C::atan, z) + 1);
+    double base = turned ? Pi / 4 : 0;
+    return steep ? (Pi / 2 - base) - a : base + a;
+  }
   double low = t * (z * horner<C::fusion>(C::atan, z));
   // The angle is base ± (t + low); the sums are exact enough when the large term comes last.
   double base = turned ? Pi / 4 : 0;
@@ -351,12 +356,25 @@ ANYSL_TIER float cbrtInDouble(float x) {
   return ordinary ? copySign(float(root), x) : x + x;
 }
 
+/// 1/sqrt(x)·2^-75 for denormal x, else 1/sqrt(x), in float, and the x to which that belongs. The
+/// bits of a denormal number, taken as an integer, are a normal number 2^149 times as large:
+/// arithmetic on denormal numbers takes the processor a hundred times as long.
+struct InverseSqrt {
+  float x, y, scale;
+};
+ANYSL_TIER InverseSqrt inverseSqrtStart(float x) {
+  bool tiny = bitsOf(x) < 0x00800000u;
+  float m = tiny ? float(Int32(bitsOf(x) << 1)) : x;
+  return {m, 1 / squareRoot(m), tiny ? 0x1p75f : 1};
+}
+
 /// One step of Newton's iteration in double from a float quotient.
 ANYSL_TIER float inverseSqrtInDouble(float x) {
-  if (__builtin_expect(!isPositiveNormal(x), 0))
-    return float(1 / squareRoot(double(x)));
-  double r = 1 / squareRoot(x);
-  return float(r + r * (0.5 * (1 - double(x) * (r * r))));
+  InverseSqrt s = inverseSqrtStart(x);
+  double r = s.y;
+  double y = r + r * (0.5 * (1 - double(s.x) * (r * r)));
+  bool ordinary = s.x > 0 && s.x < Infinity<float>;
+  return (ordinary ? float(y) : s.y) * s.scale;
 }
 
 ANYSL_TIER float hypotInDouble(float x, float y) {

@@ -327,11 +327,9 @@ ANYSL_TIER float cbrtInFloat(float x) {
   return copySign(y, x);
 }
 
-template <class C>
 ANYSL_TIER float inverseSqrtInFloat(float x) {
-  if (__builtin_expect(!isPositiveNormal(x), 0))
-    return float(1 / squareRoot(double(x)));
-  return 1 / squareRoot(x);
+  InverseSqrt s = inverseSqrtStart(x);
+  return s.y * s.scale;
 }
 
 /// The sides are scaled by the larger one's exponent, so that squares neither overflow nor vanish.

@@ -17,8 +17,8 @@ namespace anysl::tier::u10 {
 ANYSL_TIER float sin(float x) { return sinInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float cos(float x) { return cosInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float tan(float x) { return tanInDouble<ShortPolynomials>(x); }
-ANYSL_TIER float asin(float x) { return asinInDouble<ShortPolynomials>(x); }
-ANYSL_TIER float acos(float x) { return acosInDouble<ShortPolynomials>(x); }
+ANYSL_TIER float asin(float x) { return asinInFloatOnly(x); }
+ANYSL_TIER float acos(float x) { return acosInFloatOnly(x); }
 ANYSL_TIER float atan(float x) { return atanInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float atan2(float y, float x) { return atan2InDouble<ShortPolynomials>(y, x); }
 ANYSL_TIER float sinh(float x) { return sinhInDouble<ShortPolynomials>(x); }

@@ -31,7 +31,7 @@ ANYSL_TIER float log10(float x) { return log10InFloat<MediumPolynomials>(x); }
 ANYSL_TIER float pow(float x, float y) { return powInFloat<MediumPolynomials>(x, y); }
 ANYSL_TIER float cbrt(float x) { return cbrtInFloat<MediumPolynomials>(x); }
 ANYSL_TIER float sqrt(float x) { return squareRoot(x); }
-ANYSL_TIER float inversesqrt(float x) { return inverseSqrtInFloat<MediumPolynomials>(x); }
+ANYSL_TIER float inversesqrt(float x) { return inverseSqrtInFloat(x); }
 ANYSL_TIER float reciprocal(float x) { return 1 / x; }
 ANYSL_TIER float divide(float x, float y) { return x / y; }
 ANYSL_TIER float hypot(float x, float y) { return hypotInFloat(x, y); }

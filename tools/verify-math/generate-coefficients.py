@@ -182,6 +182,7 @@ def table():
         add(f'InverseCbrt{q}', F, cbrtN, icbrt, icbrtW, mpf(1), mpf(2), 'm^(-1/3), m in [1, 2]')
     # In float, without: u10.
     add('ExpFloat', F, 5, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
+    add('AsinFloat', F, 5, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
     add('LogFloat', F, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f)')
     return out
 
