@@ -24,9 +24,9 @@ using namespace llvm;
 namespace anysl {
 
 Schedule::Schedule(const Function &function, const LoopInfo &loops, const DominatorTree &dominators,
-                   const PostDominatorTree &postDominators, ShapeAnalysis &shapes, bool startsFull)
-    : function(function), loops(loops), dominators(dominators), postDominators(postDominators),
-      shapes(shapes), startsFull(startsFull) {
+                   ShapeAnalysis &shapes, bool startsFull)
+    : function(function), loops(loops), dominators(dominators), shapes(shapes),
+      startsFull(startsFull) {
   for (const BasicBlock *block : ReversePostOrderTraversal<const Function *>(&function))
     reversePostOrder[block] = reversePostOrder.size();
   order(nullptr);
@@ -211,6 +211,27 @@ void Schedule::reset() {
   nodes.clear();
 }
 
+/// Whether every path from \p from meets \p to before it leaves the loop around both or begins its next
+/// iteration. (Post-dominance is not enough: a path may leave the loop and come back to it.)
+bool Schedule::alwaysMeets(const BasicBlock *from, const BasicBlock *to, const Loop *loop) const {
+  SmallVector<const BasicBlock *, 16> stack = {from};
+  SmallPtrSet<const BasicBlock *, 16> seen = {from};
+  while (!stack.empty()) {
+    const BasicBlock *block = stack.pop_back_val();
+    if (succ_empty(block))
+      return false;
+    for (const BasicBlock *next : successors(block)) {
+      if (next == to)
+        continue;
+      if (loop && (!loop->contains(next) || next == loop->getHeader()))
+        return false;
+      if (seen.insert(next).second)
+        stack.push_back(next);
+    }
+  }
+  return true;
+}
+
 unsigned Schedule::leaderOf(unsigned index) const {
   const BasicBlock *block = sequence[index];
   const Loop *loop = loops.getLoopFor(block);
@@ -222,7 +243,7 @@ unsigned Schedule::leaderOf(unsigned index) const {
     if (loops.getLoopFor(node->getBlock()) != loop)
       continue;
     // Every lane that was there comes here, and nobody else.
-    if (postDominators.dominates(block, node->getBlock()))
+    if (alwaysMeets(node->getBlock(), block, loop))
       return list[indexOf(node->getBlock())].leader;
     break;
   }

@@ -10,8 +10,6 @@
 
 #include "passes/Vectorize/ShapeAnalysis.h"
 
-#include "llvm/Analysis/PostDominators.h"
-
 namespace anysl {
 
 /// Decides how control flows in the widened function: which branches stay, in which order the sides of
@@ -51,7 +49,7 @@ public:
 
   /// \p startsFull: all lanes are active when the function starts; otherwise at least one is.
   Schedule(const llvm::Function &function, const llvm::LoopInfo &loops, const llvm::DominatorTree &dominators,
-           const llvm::PostDominatorTree &postDominators, ShapeAnalysis &shapes, bool startsFull);
+           ShapeAnalysis &shapes, bool startsFull);
 
   llvm::ArrayRef<Plan> plans() const { return list; }
   const Plan &plan(unsigned index) const { return list[index]; }
@@ -68,6 +66,8 @@ private:
   unsigned route(unsigned from, llvm::SmallVector<unsigned, 8> targets, unsigned direct);
   void addEdge(unsigned fromNode, unsigned to, bool direct, bool occupied, bool full);
   unsigned leaderOf(unsigned index) const;
+  bool alwaysMeets(const llvm::BasicBlock *from, const llvm::BasicBlock *to,
+                   const llvm::Loop *loop) const;
   bool needsLane(unsigned index) const;
   bool isWorthGuard(unsigned index) const;
   bool dominatesNode(unsigned a, unsigned b) const;
@@ -75,7 +75,6 @@ private:
   const llvm::Function &function;
   const llvm::LoopInfo &loops;
   const llvm::DominatorTree &dominators;
-  const llvm::PostDominatorTree &postDominators;
   ShapeAnalysis &shapes;
   bool startsFull;
 

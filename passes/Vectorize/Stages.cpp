@@ -34,9 +34,8 @@ SmallVector<Shape, 8> argumentShapes(const VariantName &name) {
 Analyses::Analyses(Function &function, const VariantName &name, FunctionAnalysisManager &analyses)
     : loops(analyses.getResult<LoopAnalysis>(function)),
       dominators(analyses.getResult<DominatorTreeAnalysis>(function)),
-      postDominators(analyses.getResult<PostDominatorTreeAnalysis>(function)),
       shapes(function, loops, argumentShapes(name), name.width),
-      schedule(function, loops, dominators, postDominators, shapes, !name.masked) {}
+      schedule(function, loops, dominators, shapes, !name.masked) {}
 
 PreservedAnalyses PrintStagePass::run(Function &function, FunctionAnalysisManager &analyses) {
   if (function.isDeclaration() || !whyNotWidenable(function).empty())

@@ -26,7 +26,6 @@ struct Analyses {
 
   llvm::LoopInfo &loops;
   llvm::DominatorTree &dominators;
-  llvm::PostDominatorTree &postDominators;
   ShapeAnalysis shapes;
   Schedule schedule;
 };
