@@ -157,7 +157,7 @@ void Lowering::lowerReturn(const ReturnStmt &stmt) {
 /// illuminance runs its body for each light that reaches the point, inside of the cone if there is one:
 ///
 ///     for (i = 0; i < light_count(); ++i)
-///       if (light_sample(i, P, L, Cl) & in_cone(L, axis, angle)) body
+///       if (light_sample(i, P, L, Cl) & in_cone(L, axis, angle)) { light_shadow(i, P, Cl); body }
 void Lowering::lowerIlluminance(const LightStmt &stmt) {
   if (!hasContext(stmt.loc))
     return;
@@ -201,6 +201,7 @@ void Lowering::lowerIlluminance(const LightStmt &stmt) {
   branchIf(reaches, body, step);
 
   continueIn(body);
+  b.call(Op::light_shadow, {b.context(), index, position, light});
   std::map<unsigned, Value *> outerGlobals = lightGlobals;
   for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
     if (global.name == "L")

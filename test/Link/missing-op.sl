@@ -15,7 +15,7 @@ RUN: %t/bin/anysl-link %t/plain.stc.bc --runtime blind -o %t/plain.so
 
 CHECK: missing-op.sl:[[#@LINE+7]]:[[#]]: error: operator 'anysl_trace_color' is not defined by runtime 'blind' with real 'float' nor by the shading library (shader 'looking')
 CHECK-NEXT: Ci = trace(P, I)
-CHECK: missing-op.sl:[[#@LINE+6]]:[[#]]: error: operator 'anysl_transmission' is not defined by runtime 'blind' {{.*}}; 'anysl_light_sample' needs it (shader 'looking')
+CHECK: missing-op.sl:[[#@LINE+6]]:[[#]]: error: operator 'anysl_transmission' is not defined by runtime 'blind' {{.*}}; 'anysl_light_shadow' needs it (shader 'looking')
 */
 
 surface looking() {

@@ -62,13 +62,12 @@ bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point
   using namespace anysl;
   const AnyslLight &light = context->args->lights[index];
   anysl_vector direction = vectorFrom(light.direction);
-  anysl_vector from = vectorFrom(light.from), toLight = from - *P;
+  anysl_vector toLight = vectorFrom(light.from) - *P;
   anysl_float strength(1);
   bool reaches = true;
   switch (light.kind) {
   case ANYSL_LIGHT_DISTANT:
     toLight = -direction;
-    from = *P + toLight * anysl_float(distantLightDistance);
     break;
   case ANYSL_LIGHT_POINT:
     strength = divide(anysl_float(1), dot(toLight, toLight));
@@ -85,18 +84,26 @@ bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point
     reaches = false;
   }
   anysl_color color = colorFrom(light.color) * strength;
-  if (light.flags & ANYSL_LIGHT_CASTS_SHADOW) {
-    if (reaches) {
-      anysl_color passing;
-      anysl_transmission(&passing, context, P, &from);
-      color = color * passing;
-    }
-  }
   anysl_float zero(0);
   *L = toLight;
   *Cl = {select(reaches, color.r, zero), select(reaches, color.g, zero),
          select(reaches, color.b, zero)};
   return reaches;
+}
+
+/// An operator of its own, so that only those points send a ray which the light reaches and which face it.
+void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point *P,
+                        anysl_color *Cl) {
+  using namespace anysl;
+  const AnyslLight &light = context->args->lights[index];
+  if (!(light.flags & ANYSL_LIGHT_CASTS_SHADOW))
+    return;
+  anysl_vector from = vectorFrom(light.from);
+  if (light.kind == ANYSL_LIGHT_DISTANT)
+    from = *P - vectorFrom(light.direction) * anysl_float(distantLightDistance);
+  anysl_color passing;
+  anysl_transmission(&passing, context, P, &from);
+  *Cl = *Cl * passing;
 }
 
 #endif // ANYSL_STANDARD_LIGHTS_H

@@ -307,7 +307,7 @@ namespace {
 struct Sample {
   bool reaches;
   anysl_vector L;
-  anysl_color Cl;
+  anysl_color Cl, shadowed;
 };
 
 Sample sample(Batch &batch, const AnyslLight &light, const anysl_vector &P) {
@@ -317,6 +317,8 @@ Sample sample(Batch &batch, const AnyslLight &light, const anysl_vector &P) {
   batch.shade(2, [&](anysl_context *context) {
     CHECK(use<anysl_light_count>()(context) == 1);
     result.reaches = use<anysl_light_sample>()(context, 0, &P, &result.L, &result.Cl);
+    result.shadowed = result.Cl;
+    use<anysl_light_shadow>()(context, 0, &P, &result.shadowed);
   });
   return result;
 }
@@ -396,7 +398,7 @@ TEST_CASE("flags of a light leave it out of diffuse or specular") {
   });
 }
 
-TEST_CASE("only a light that casts shadows asks for transmission, and only where it reaches") {
+TEST_CASE("only a light that casts shadows asks for transmission, and only when asked for its shadow") {
   static int asked;
   static double from[3], to[3];
   asked = 0;
@@ -416,18 +418,19 @@ TEST_CASE("only a light that casts shadows asks for transmission, and only where
   light.from[2] = 2;
   light.direction[2] = -1;
   light.cos_outer = 0.5f, light.cos_inner = 0.75f;
-  checkColor(sample(batch, light, {0, 0, 0}).Cl, 1, 1, 1);
+  checkColor(sample(batch, light, {0, 0, 0}).shadowed, 1, 1, 1);
   CHECK(asked == 0);
   light.flags = ANYSL_LIGHT_CASTS_SHADOW;
-  checkColor(sample(batch, light, {0, 0, 0}).Cl, 0.5, 0.25, 0);
+  Sample s = sample(batch, light, {0, 0, 0});
+  checkColor(s.Cl, 1, 1, 1);
+  checkColor(s.shadowed, 0.5, 0.25, 0);
   CHECK(asked == 1);
   CHECK((from[2] == 0 && to[2] == 2));
-  sample(batch, light, {0, 0, 5});
-  CHECK(asked == 1);
   // A distant light's ray ends far away, in the light's direction.
   light.kind = ANYSL_LIGHT_DISTANT;
   sample(batch, light, {1, 2, 3});
   CHECK(asked == 2);
+  CHECK(from[2] == 3);
   CHECK((to[2] - from[2] > 1e10 && to[0] == from[0] && to[1] == from[1]));
 }
 

@@ -13,6 +13,7 @@ surface lit(float nolight = 1) {
   // CHECK: [[HIT:%[0-9]+]] = call i1 @anysl_light_sample(ptr %ctx, i32 %light, ptr [[P:%[0-9]+]], ptr %L, ptr %Cl)
   // CHECK: [[IN:%[0-9]+]] = call i1 @anysl_in_cone(ptr %L, ptr [[N:%[0-9]+]], ptr %{{[0-9]+}})
   // CHECK: and i1 [[HIT]], [[IN]]
+  // CHECK: call void @anysl_light_shadow(ptr %ctx, i32 %light, ptr [[P]], ptr %Cl)
   // CHECK: normalize(ptr [[UNIT:%[0-9]+]], ptr %L)
   // CHECK: light.next:
   // CHECK: [[NEXT]] = add i32 %light, 1
