@@ -19,6 +19,7 @@
 #include "llvm/IR/Instructions.h"
 #include "llvm/IR/VFABIDemangler.h"
 #include "llvm/Target/TargetMachine.h"
+#include <anysl/abi.h>
 
 using namespace llvm;
 
@@ -78,6 +79,7 @@ void describeArguments(Function &function) {
   function.addParamAttr(0, Attribute::NoAlias);
   function.addParamAttr(0, Attribute::NonNull);
   function.addParamAttr(0, Attribute::NoUndef);
+  function.addDereferenceableParamAttr(0, sizeof(AnyslShadeArgs));
 }
 
 } // namespace
