@@ -71,12 +71,13 @@ inline anysl_float negateIf(anysl_float x, uint32_t sign) {
 /// normal numbers; at the very ends of the range m * down stays a few binades away from 1.
 inline void scaleFor(anysl_float m, anysl_float &down, anysl_float &up) {
   using Bits = Format::Bits;
-  constexpr Bits last = 2 * Format::bias - 1;
-  Bits exponent = bitsOf(m) >> Format::fractionBits;
-  exponent = exponent < 1 ? 1 : exponent;
-  exponent = exponent > last ? last : exponent;
-  down = fromBits((last + 1 - exponent) << Format::fractionBits);
-  up = fromBits(exponent << Format::fractionBits);
+  constexpr Bits one = Bits(1) << Format::fractionBits;
+  constexpr Bits last = (2 * Format::bias - 1) * one;
+  Bits exponent = bitsOf(m) & (~Bits(0) << Format::fractionBits);
+  exponent = __builtin_elementwise_max(exponent, one);
+  exponent = __builtin_elementwise_min(exponent, last);
+  down = fromBits(last + one - exponent);
+  up = fromBits(exponent);
 }
 
 //===-- Selection and rounding ----------------------------------------------------------------===//

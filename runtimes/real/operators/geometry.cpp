@@ -15,22 +15,23 @@ void anysl_length(anysl_float *result, const anysl_vector *v) {
 }
 
 /// v / |v|. A power of two brings v near unit length first, so nothing overflows or vanishes on the
-/// way; an infinite component becomes 1 and finite ones beside it 0.
+/// way. What is infinite stays so, and is then limited to a number beside which the rest is
+/// nothing.
 void anysl_normalize(anysl_vector *result, const anysl_vector *v) {
   anysl_float largest = absOf(v->x);
   largest = select(absOf(v->y) > largest, absOf(v->y), largest);
   largest = select(absOf(v->z) > largest, absOf(v->z), largest);
-  anysl_float down, up;
+  anysl_float down, up, limit(0x1p60);
   scaleFor(largest, down, up);
-  bool isInfinite = largest == infinity;
   anysl_vector scaled = each(
-      [down, isInfinite](const anysl_float &c) {
-        anysl_float limit = select(absOf(c) == infinity, copySign(anysl_float(1), c), c * 0);
-        return select(isInfinite, limit, c * down);
+      [down, limit](const anysl_float &c) {
+        anysl_float x = c * down;
+        x = select(x > limit, limit, x);
+        return select(x < -limit, -limit, x);
       },
       *v);
-  anysl_float square = dot(scaled, scaled);
-  *result = scaled * select(square == 0, anysl_float(0), math::inversesqrt(square));
+  anysl_float length = math::sqrt(dot(scaled, scaled));
+  *result = scaled * select(length == 0, anysl_float(0), math::divide(anysl_float(1), length));
 }
 
 /// L.A >= cos(angle) |L| |A|, which needs neither a division nor an arc cosine.

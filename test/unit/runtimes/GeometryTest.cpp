@@ -66,7 +66,7 @@ TEST_CASE("a normalised vector has unit length and the same direction at every m
 TEST_CASE("normalising what has no direction gives a stated result") {
   checkVector(call<anysl_normalize>(anysl_vector(0, 0, 0)), 0, 0, 0, 0);
   checkVector(call<anysl_normalize>(anysl_vector(Real(-0.0), 0, 0)), 0, 0, 0, 0);
-  checkVector(call<anysl_normalize>(anysl_vector(infinite, largest, 2)), 1, 0, 0, 0);
+  checkVector(call<anysl_normalize>(anysl_vector(infinite, largest, 2)), 1, 0, 0);
   double r = std::sqrt(0.5);
   checkVector(call<anysl_normalize>(anysl_vector(-infinite, 5, infinite)), -r, 0, r);
   anysl_vector n = call<anysl_normalize>(anysl_vector(1, notANumber, 2));
