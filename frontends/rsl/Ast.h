@@ -169,12 +169,28 @@ struct CastExpr : Expr {
   static bool classof(const Expr *e) { return e->kind == ExprKind::Cast; }
 };
 
+/// What a call turned out to be; Sema says so.
+enum class CallForm : uint8_t {
+  Function,      ///< `function` is expanded
+  Builtin,       ///< `builtin` is one operator
+  ComponentWise, ///< `builtin` of floats, applied to each component of its arguments
+  ArrayLength,   ///< of a function's array parameter
+  Spline,        ///< value, then an array or at least four knots; `basis` says which curve
+  Query,         ///< name and variable
+  Ignored        ///< printf: arguments are evaluated, nothing else happens
+};
+
+/// The curves that spline() knows.
+enum class SplineBasis : uint8_t { CatmullRom, Bezier, BSpline, Hermite, Power, Linear };
+
 struct CallExpr : Expr {
   StringRef name;
   SMRange nameRange;
   llvm::MutableArrayRef<Expr *> args;
   FunctionDecl *function = nullptr; ///< one of these, from Sema on
   const Builtin *builtin = nullptr;
+  CallForm form = CallForm::Function;
+  SplineBasis basis = SplineBasis::CatmullRom;
   CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
       : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {}
   static bool classof(const Expr *e) { return e->kind == ExprKind::Call; }

@@ -106,6 +106,11 @@ struct Table {
         names.push_back(builtin.name);
       overloads.push_back(&builtin);
     }
+    // These have no fixed list of arguments.
+    for (StringRef name : {"arraylength", "spline", "printf"})
+      names.push_back(name);
+#define RSL_QUERY(name, meaning) names.push_back(#name);
+#include "frontends/rsl/Builtins.def"
   }
 };
 
@@ -125,16 +130,20 @@ ArrayRef<const Builtin *> builtinsNamed(StringRef name) {
 
 ArrayRef<StringRef> builtinNames() { return table().names; }
 
-bool isUnsupportedBuiltin(StringRef name) {
+bool isQuery(StringRef name) {
   static constexpr StringLiteral names[] = {
-      "Du", "Dv", "Deriv", "area", "calculatenormal", "filterwidth", "spline", "texture", "environment",
-      "shadow", "bump", "textureinfo", "texture3d", "bake", "bake3d", "concat", "format", "match",
-      "printf", "depth", "opposite", "incident", "atmosphere", "displacement", "lightsource", "surface",
-      "attribute", "option", "rendererinfo", "rayinfo", "raylevel", "shadername", "getshader",
-      "getshaders", "getlights", "getvar", "occlusion", "indirectdiffuse", "indirect", "photonmap",
-      "caustic", "subsurface", "visibility", "areashadow", "hair", "directlighting", "mtransform",
-      "arraylength", "resize", "push", "pop", "reserve", "capacity"};
+#define RSL_QUERY(name, meaning) #name,
+#include "frontends/rsl/Builtins.def"
+  };
   return is_contained(names, name);
+}
+
+StringRef missingFor(StringRef name) {
+#define RSL_UNSUPPORTED(known, need)                                                               \
+  if (name == #known)                                                                              \
+    return need;
+#include "frontends/rsl/Builtins.def"
+  return {};
 }
 
 std::string signature(const Builtin &builtin) {

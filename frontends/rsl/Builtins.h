@@ -53,8 +53,10 @@ llvm::ArrayRef<Builtin> allBuiltins();
 llvm::ArrayRef<const Builtin *> builtinsNamed(llvm::StringRef name);
 /// Each name once.
 llvm::ArrayRef<llvm::StringRef> builtinNames();
-/// Whether a name is a built-in of RSL that this compiler has no operator for.
-bool isUnsupportedBuiltin(llvm::StringRef name);
+/// Whether a name is a query: float name(string, variable).
+bool isQuery(llvm::StringRef name);
+/// What a built-in of RSL that this compiler does not have would need; empty for any other name.
+llvm::StringRef missingFor(llvm::StringRef name);
 /// `color mix(color, color, float)`
 std::string signature(const Builtin &builtin);
 

@@ -121,7 +121,7 @@ Token Lexer::make(TokenKind kind, const char *begin) {
   return token;
 }
 
-/// digits [. digits] [e [sign] digits]; the first character is a digit, or a dot before one.
+/// digits [. digits] [e [sign] digits] [f]; the first character is a digit, or a dot before one.
 void Lexer::lexNumber() {
   auto digits = [&] {
     while (isDigit(peek()) || skipSplices())
@@ -146,6 +146,9 @@ void Lexer::lexNumber() {
       digits();
     }
   }
+  // C's suffix, which some shaders have and which says nothing here.
+  if ((peek() == 'f' || peek() == 'F') && !continuesName(peek(1)))
+    ++cursor;
 }
 
 /// The opening quote is already behind the cursor.

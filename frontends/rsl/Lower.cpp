@@ -153,7 +153,7 @@ void Lowering::storeOutputs(const ShaderDecl &shader, const stc::ShaderInfo &inf
     const stc::GlobalVariableInfo &global = *stc::globalNumbered(id);
     Op store = opFor(typeKindOf(global.type), Op::store_global_float, Op::store_global_color,
                      Op::store_global_vector);
-    b.call(store, {b.context(), b.id(id), globals[id]});
+    b.call(store, {b.context(), b.id(id), globalSlot(id)});
   }
   for (const VarDecl *param : shader.params) {
     if (!param->isOutput || param->type.kind == TypeKind::String)
@@ -398,15 +398,9 @@ void Lowering::lowerLibraryFunction(const FunctionDecl &function) {
     const stc::GlobalVariableInfo &global = *stc::globalNumbered(id);
     if (writtenGlobals.count(id))
       diags.error(function.range.Start, "a library function cannot assign '" + global.name + "'");
-    if (isa<Argument>(slot))
-      continue;
-    if (!op.takesContext())
-      diags.error(function.range.Start, "'" + global.name + "' is no operand of operator '" +
-                                            op.name + "', which has no context to load it from");
-    else
-      b.call(opFor(typeKindOf(global.type), Op::load_global_float, Op::load_global_color,
-                   Op::load_global_vector),
-             {slot, b.context(), b.id(id)});
+    if (!isa<Argument>(slot))
+      diags.error(function.range.Start,
+                  "'" + global.name + "' is no operand of operator '" + op.name + "'");
   }
   branchTo(bodyBlock);
   EliminateUnreachableBlocks(*definition);

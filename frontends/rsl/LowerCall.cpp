@@ -23,14 +23,30 @@ bool Lowering::hasContext(SMLoc loc) {
 }
 
 Value *Lowering::lowerCall(const CallExpr &call) {
-  if (call.function)
+  switch (call.form) {
+  case CallForm::Function:
     return callFunction(call);
-  if (call.builtin)
+  case CallForm::Builtin:
     return callBuiltin(call);
-  // arraylength of a function's array parameter, whose length the argument has
-  auto slot = stc::slotInfo(lower(call.args[0]));
-  at(call.loc);
-  return number(slot->arrayLength);
+  case CallForm::ComponentWise:
+    return callComponentWise(call);
+  case CallForm::Spline:
+    return callSpline(call);
+  case CallForm::Query:
+    return callQuery(call);
+  case CallForm::ArrayLength: {
+    // Of a function's array parameter: the argument has the length.
+    auto slot = stc::slotInfo(lower(call.args[0]));
+    at(call.loc);
+    return number(slot->arrayLength);
+  }
+  case CallForm::Ignored:
+    for (const Expr *arg : call.args)
+      if (arg->hasEffects)
+        lower(arg);
+    return nullptr;
+  }
+  llvm_unreachable("unknown form of call");
 }
 
 static bool effectsAfter(const CallExpr &call, size_t argument) {
@@ -129,6 +145,46 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
   for (const Output &output : outputs)
     store(output.target, convert(output.value, output.from, output.to));
   return builtin.result == TypeKind::Bool ? returned : result;
+}
+
+Value *Lowering::callComponentWise(const CallExpr &call) {
+  SmallVector<Value *, 4> values;
+  for (size_t i = 0; i < call.args.size(); ++i)
+    values.push_back(lowerBefore(call.args[i], effectsAfter(call, i)));
+  at(call.loc);
+  Type scalar{TypeKind::Float, call.type.varying};
+  SmallVector<Value *, 4> components{temporary(call.type)};
+  for (int c = 0; c < 3; ++c) {
+    SmallVector<Value *, 4> operands{temporary(scalar)};
+    for (size_t i = 0; i < values.size(); ++i) {
+      Type type = call.args[i]->type;
+      operands.push_back(type.is(TypeKind::Float) ? values[i]
+                                                  : load({values[i], type, number(c)}, scalar));
+    }
+    b.call(call.builtin->op, operands);
+    components.push_back(operands[0]);
+  }
+  b.call(opFor(call.type.kind, Op::make_color, Op::make_color, Op::make_vector), components);
+  return components[0];
+}
+
+/// The flags of the light at hand are known; every other question has no answer.
+Value *Lowering::callQuery(const CallExpr &call) {
+  auto *name = dyn_cast<StringExpr>(call.args[0]);
+  bool isNondiffuse = name && name->value == "__nondiffuse";
+  bool isNonspecular = name && name->value == "__nonspecular";
+  if (!name)
+    lower(call.args[0]);
+  at(call.loc);
+  if (call.name != "lightsource" || !lightIndex || !(isNondiffuse || isNonspecular))
+    return number(0);
+  Place target = place(call.args[1]);
+  Value *flag = temporary({TypeKind::Float});
+  b.call(Op::float_from_test,
+         {flag, b.call(isNondiffuse ? Op::light_is_nondiffuse : Op::light_is_nonspecular,
+                       {b.context(), lightIndex})});
+  store(target, flag);
+  return number(1);
 }
 
 /// Expands a function in place.

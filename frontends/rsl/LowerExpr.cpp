@@ -139,6 +139,11 @@ void Lowering::store(const Place &place, Value *value) {
 
 /// The slot of an expression's value, which may be a variable's own.
 Value *Lowering::lower(const Expr *expr) {
+  // Only an expression that is a statement can still be a condition here: Sema has made numbers of all others.
+  if (expr->type.is(TypeKind::Bool)) {
+    lowerCondition(expr);
+    return nullptr;
+  }
   switch (expr->kind) {
   case ExprKind::Number:
     at(expr->loc);
@@ -183,7 +188,7 @@ Value *Lowering::lower(const Expr *expr) {
   case ExprKind::Comma: {
     Value *last = nullptr;
     for (const Expr *element : cast<CommaExpr>(expr)->elements)
-      last = element->type.is(TypeKind::Bool) ? (lowerCondition(element), nullptr) : lower(element);
+      last = lower(element);
     return last;
   }
   case ExprKind::Opaque:
@@ -227,7 +232,7 @@ Value *Lowering::lowerCondition(const Expr *expr) {
     return lowerCall(*call);
   if (auto *list = dyn_cast<CommaExpr>(expr)) {
     for (const Expr *element : list->elements.drop_back())
-      element->type.is(TypeKind::Bool) ? lowerCondition(element) : lower(element);
+      lower(element);
     return lowerCondition(list->elements.back());
   }
   auto *binary = cast<BinaryExpr>(expr);

@@ -109,7 +109,9 @@ private:
   Value *lowerCall(const CallExpr &call);
   Value *callBuiltin(const CallExpr &call);
   Value *callFunction(const CallExpr &call);
-  Value *callOp(stc::Op op, llvm::ArrayRef<Value *> operands);
+  Value *callComponentWise(const CallExpr &call);
+  Value *callSpline(const CallExpr &call); // LowerSpline.cpp
+  Value *callQuery(const CallExpr &call);
   bool hasContext(SMLoc loc);
 
   /// An operator of a family `name_<representation>`: copy_color, add_vector.

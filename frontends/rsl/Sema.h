@@ -109,7 +109,13 @@ private:
   void reportNoMatch(const CallExpr &call, llvm::ArrayRef<Type> args,
                      llvm::ArrayRef<Candidate> candidates);
   CallExpr *foldExtremes(CallExpr &call);
+  bool chooseComponentWise(CallExpr &call, llvm::ArrayRef<Type> args);
+  // Built-ins without a fixed list of arguments (SemaSpecial.cpp); null if the name is none of them.
+  Expr *checkSpecial(CallExpr &call, TypeKind hint);
   Expr *checkArrayLengthCall(CallExpr &call);
+  Expr *checkSpline(CallExpr &call, TypeKind hint);
+  Expr *checkQuery(CallExpr &call);
+  Expr *checkPrintf(CallExpr &call);
   std::string signature(const Candidate &candidate);
   void useVarying();
 

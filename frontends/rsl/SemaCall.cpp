@@ -106,8 +106,14 @@ Type Sema::probeInner(Expr *expr) {
     }
     if (isFlexible(*call, args))
       return {};
-    std::optional<Candidate> chosen = choose(*call, args, TypeKind::Error);
-    return {chosen ? chosen->result() : TypeKind::Error};
+    if (std::optional<Candidate> chosen = choose(*call, args, TypeKind::Error))
+      return {chosen->result()};
+    // Component by component: the type of the first triple.
+    for (Type arg : args)
+      if (arg.isTriple() && !builtinsNamed(call->name).empty())
+        return arg;
+    return {call->name == "arraylength" || isQuery(call->name) ? TypeKind::Float
+                                                               : TypeKind::Error};
   }
   case ExprKind::Comma:
     return probe(cast<CommaExpr>(expr)->elements.back());
@@ -218,31 +224,43 @@ CallExpr *Sema::foldExtremes(CallExpr &call) {
   return ast.make<CallExpr>(call.nameRange, call.range, call.name, ast.copy<Expr *>(pair));
 }
 
-/// arraylength(a) is a constant.
-Expr *Sema::checkArrayLengthCall(CallExpr &call) {
-  Expr *array = call.args.size() == 1 ? check(call.args[0]) : nullptr;
-  if (array && array->type.isError())
-    return array;
-  if (!array || !array->type.isArray()) {
-    diags.error(call.loc, "'arraylength' takes one array").range(call.range);
-    call.type = {TypeKind::Error};
-    return &call;
+/// A function of floats is applied to triples component by component, as sqrt(Cs) or pow(Cs, 2).
+bool Sema::chooseComponentWise(CallExpr &call, ArrayRef<Type> args) {
+  TypeKind kind = TypeKind::Error;
+  for (Type arg : args) {
+    if (arg.isTriple() && kind == TypeKind::Error)
+      kind = arg.kind;
+    else if (!arg.is(TypeKind::Float) && arg.kind != kind)
+      return false;
   }
-  if (array->type.length == Type::AnyLength) {
-    // Known where the function is expanded; lowering looks at the argument.
-    call.args[0] = array;
-    call.type = {TypeKind::Float};
-    return &call;
+  if (kind == TypeKind::Error)
+    return false;
+  for (const Builtin *builtin : builtinsNamed(call.name)) {
+    bool fits = builtin->result == TypeKind::Float && builtin->operands.size() == args.size();
+    for (const BuiltinOperand &operand : builtin->operands)
+      fits &= operand.source == BuiltinOperand::In && operand.type == TypeKind::Float;
+    if (!fits)
+      continue;
+    call.builtin = builtin;
+    call.form = CallForm::ComponentWise;
+    bool varying = false, bad = false;
+    for (size_t i = 0; i < args.size(); ++i) {
+      call.args[i] = check(call.args[i], args[i].kind);
+      varying |= call.args[i]->type.varying;
+      bad |= call.args[i]->type.isError();
+      call.hasEffects |= call.args[i]->hasEffects;
+    }
+    call.type = {bad ? TypeKind::Error : kind, varying};
+    return true;
   }
-  auto *number = ast.make<NumberExpr>(call.range, double(array->type.length));
-  number->type = {TypeKind::Float};
-  return number;
+  return false;
 }
 
 Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
-  if (given.name == "arraylength")
-    return checkArrayLengthCall(given);
   std::vector<Candidate> all = candidates(given.name);
+  if (all.empty())
+    if (Expr *special = checkSpecial(given, hint))
+      return special;
   CallExpr *call = &given;
   bool isExtreme = given.name == "min" || given.name == "max";
   if (isExtreme && given.args.size() > 2 && all[0].builtin) {
@@ -254,6 +272,8 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
   for (Expr *arg : call->args)
     args.push_back(probe(arg));
   std::optional<Candidate> chosen = choose(*call, args, hint);
+  if (!chosen && chooseComponentWise(*call, args))
+    return call;
   if (!chosen) {
     for (Expr *&arg : call->args) {
       arg = check(arg);
@@ -269,6 +289,7 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
   }
   call->function = chosen->function;
   call->builtin = chosen->builtin;
+  call->form = call->function ? CallForm::Function : CallForm::Builtin;
   if (call->function)
     call->function->isUsed = true;
   if (call->function && call->function->isBeingChecked) {
@@ -348,8 +369,9 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
 //===-- Messages --------------------------------------------------------------------------------//
 
 void Sema::reportUnknown(const CallExpr &call) {
-  if (isUnsupportedBuiltin(call.name)) {
-    diags.error(call.loc, "built-in '" + call.name + "' is not supported").range(call.nameRange);
+  if (StringRef need = missingFor(call.name); !need.empty()) {
+    diags.error(call.loc, "built-in '" + call.name + "' is not supported: it needs " + need)
+        .range(call.nameRange);
     return;
   }
   std::vector<StringRef> names;

@@ -89,8 +89,8 @@ TEST_CASE("built-ins are found by name") {
   CHECK(builtinsNamed("faceforward").size() == 2);
   CHECK(builtinsNamed("noise").size() == 12);
   CHECK(builtinsNamed("nothing").empty());
-  CHECK(isUnsupportedBuiltin("texture"));
-  CHECK_FALSE(isUnsupportedBuiltin("noise"));
+  CHECK(missingFor("texture") == "textures");
+  CHECK(missingFor("noise").empty());
   for (llvm::StringRef name : builtinNames())
-    CHECK_FALSE(isUnsupportedBuiltin(name));
+    CHECK(missingFor(name).empty());
 }

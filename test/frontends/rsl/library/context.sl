@@ -1,5 +1,5 @@
 // An operator without a context cannot ask the renderer for anything.
 // RUN: rslc --library -verify -o %t.bc %s
 
-float abs(float x) { return x * xcomp(P); }  // expected-error {{'P' is no operand of operator 'abs', which has no context}}
+float abs(float x) { return x * xcomp(P); }  // expected-error {{'P' is no operand of operator 'abs'}}
 float sqrt(float x) { return comp(ambient(), 0); }     // expected-error {{this needs the shading context, which operator 'sqrt' does not have}}

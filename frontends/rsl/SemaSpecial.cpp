@@ -1,0 +1,173 @@
+//===-- frontends/rsl/SemaSpecial.cpp - built-ins with arguments of their own -----------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Sema.h"
+
+#include "llvm/ADT/StringSwitch.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+
+static constexpr WarningGroup Unanswered{"unanswered", true};
+
+Expr *Sema::checkSpecial(CallExpr &call, TypeKind hint) {
+  if (call.name == "arraylength")
+    return checkArrayLengthCall(call);
+  if (call.name == "spline")
+    return checkSpline(call, hint);
+  if (call.name == "printf")
+    return checkPrintf(call);
+  return isQuery(call.name) ? checkQuery(call) : nullptr;
+}
+
+/// arraylength(a) is a constant.
+Expr *Sema::checkArrayLengthCall(CallExpr &call) {
+  Expr *array = call.args.size() == 1 ? check(call.args[0]) : nullptr;
+  if (array && array->type.isError())
+    return array;
+  if (!array || !array->type.isArray()) {
+    diags.error(call.loc, "'arraylength' takes one array").range(call.range);
+    call.type = {TypeKind::Error};
+    return &call;
+  }
+  if (array->type.length == Type::AnyLength) {
+    // Known where the function is expanded; lowering looks at the argument.
+    call.args[0] = array;
+    call.form = CallForm::ArrayLength;
+    call.type = {TypeKind::Float};
+    return &call;
+  }
+  auto *number = ast.make<NumberExpr>(call.range, double(array->type.length));
+  number->type = {TypeKind::Float};
+  return number;
+}
+
+/// spline([basis,] value, array) or spline([basis,] value, k0, k1, k2, k3, …). The type of the knots is what the
+/// context wants, if they convert to it, else their own.
+Expr *Sema::checkSpline(CallExpr &call, TypeKind hint) {
+  call.form = CallForm::Spline;
+  call.type = {TypeKind::Error};
+  MutableArrayRef<Expr *> args = call.args;
+  bool hasBasis = !args.empty() && probe(args[0]).is(TypeKind::String);
+  if (hasBasis) {
+    args[0] = check(args[0]);
+    auto *name = dyn_cast<StringExpr>(args[0]);
+    auto basis = StringSwitch<std::optional<SplineBasis>>(name ? name->value : "")
+                     .Cases("catmull-rom", "catmullrom", "catmull-rom-spline", SplineBasis::CatmullRom)
+                     .Case("bezier", SplineBasis::Bezier)
+                     .Cases("bspline", "b-spline", SplineBasis::BSpline)
+                     .Case("hermite", SplineBasis::Hermite)
+                     .Case("power", SplineBasis::Power)
+                     .Case("linear", SplineBasis::Linear)
+                     .Default(std::nullopt);
+    if (!basis) {
+      StringRef names[] = {"catmull-rom", "bezier", "bspline", "hermite", "power", "linear"};
+      auto error = diags.error(args[0]->loc, name ? "unknown basis '" + name->value.str() + "'" +
+                                                        didYouMean(name->value, names)
+                                                  : std::string("the basis of a spline must be "
+                                                                "constant text"));
+      error.range(args[0]->range);
+      return &call;
+    }
+    call.basis = *basis;
+    args = args.drop_front();
+    // The basis is known now: what remains are the value and the knots.
+    call.args = args;
+  }
+  bool isArray = args.size() == 2 && probe(args[1]).isArray();
+  if (args.size() < (isArray ? 2 : 5)) {
+    diags.error(call.loc, "'spline' takes a value and at least four knots, or an array of them")
+        .range(call.nameRange);
+    return &call;
+  }
+  args[0] = checkAs(args[0], {TypeKind::Float, true}, "the value for 'spline'");
+  bool varying = args[0]->type.varying, bad = args[0]->type.isError();
+  call.hasEffects = args[0]->hasEffects;
+  TypeKind kind = probe(args[1]).kind;
+  if (isArray) {
+    args[1] = check(args[1]);
+    varying |= args[1]->type.varying;
+    if (args[1]->type.length != Type::AnyLength && args[1]->type.length < 4) {
+      diags.error(args[1]->loc, "a spline needs at least four knots").range(args[1]->range);
+      bad = true;
+    }
+  } else {
+    bool fits = Type{hint}.isTriple() || hint == TypeKind::Float;
+    for (Expr *knot : args.drop_front()) {
+      Type type = probe(knot);
+      fits &= type.isError() || conversionCost(type, {hint}) >= 0;
+      // Among knots of several types the triple wins.
+      if (!Type{kind}.isTriple() && !type.isError())
+        kind = type.kind;
+    }
+    if (fits)
+      kind = hint;
+    else if (kind == TypeKind::Error)
+      kind = TypeKind::Float;
+    for (Expr *&knot : args.drop_front()) {
+      knot = checkAs(knot, {kind, true}, "a knot of 'spline'");
+      varying |= knot->type.varying;
+      bad |= knot->type.isError();
+      call.hasEffects |= knot->hasEffects;
+    }
+  }
+  if (!bad && kind != TypeKind::Float && !Type{kind}.isTriple()) {
+    diags.error(args[1]->loc, "the knots of a spline cannot be of type '" + nameOf(kind) + "'")
+        .range(args[1]->range);
+    bad = true;
+  }
+  call.type = {bad ? TypeKind::Error : kind, varying};
+  return &call;
+}
+
+/// lightsource(name, variable) and its like.
+Expr *Sema::checkQuery(CallExpr &call) {
+  call.form = CallForm::Query;
+  call.type = {TypeKind::Error};
+  if (call.args.size() != 2) {
+    diags.error(call.loc, "'" + call.name + "' takes a name and a variable").range(call.nameRange);
+    for (Expr *arg : call.args)
+      check(arg);
+    return &call;
+  }
+  call.args[0] = checkAs(call.args[0], {TypeKind::String}, "argument 1 of '" + call.name + "'");
+  call.args[1] = check(call.args[1]);
+  checkTarget(call.args[1], false, call.args[1]->loc,
+              ("output argument 2 of '" + call.name + "'").str());
+  call.hasEffects = true;
+  auto *name = dyn_cast<StringExpr>(call.args[0]);
+  bool isFlag = name && (name->value == "__nondiffuse" || name->value == "__nonspecular");
+  bool isAnswered = isFlag && call.name == "lightsource";
+  if (isAnswered && !call.args[1]->type.is(TypeKind::Float) && !call.args[1]->type.isError())
+    diags.error(call.args[1]->loc, "'" + name->value + "' is a float").range(call.args[1]->range);
+  if (!isAnswered)
+    diags
+        .warning(call.loc, Unanswered,
+                 "nothing answers '" + call.name + "'; it gives 0 and leaves its variable alone")
+        .range(call.range);
+  call.type = {call.args[0]->type.isError() || call.args[1]->type.isError() ? TypeKind::Error
+                                                                             : TypeKind::Float};
+  return &call;
+}
+
+Expr *Sema::checkPrintf(CallExpr &call) {
+  call.form = CallForm::Ignored;
+  call.type = {TypeKind::Void};
+  for (Expr *&arg : call.args) {
+    arg = check(arg);
+    call.hasEffects |= arg->hasEffects;
+    if (arg->type.is(TypeKind::Bool))
+      arg = convert(arg, {TypeKind::Float, arg->type.varying}, "an argument of 'printf'");
+  }
+  if (call.args.empty() || (!call.args[0]->type.is(TypeKind::String) && !call.args[0]->type.isError()))
+    diags.error(call.loc, "'printf' takes a format and values").range(call.nameRange);
+  diags.warning(call.loc, Unanswered, "'printf' prints nothing").range(call.nameRange);
+  return &call;
+}
+
+} // namespace anysl::rsl
