@@ -5,9 +5,9 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// All widths take turns, so that a machine that slows down does so for all alike; the thread's own processor
-// time is measured, so that other programs do not count; and medians are compared, so that a disturbed
-// round does not matter.
+// All widths take turns, so that a machine that slows down does so for all alike; the thread's own
+// processor time is measured, so that other programs do not count; and medians are compared, so
+// that a disturbed round does not matter.
 //
 //===------------------------------------------------------------------------------------------===//
 

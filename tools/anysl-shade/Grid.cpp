@@ -47,7 +47,11 @@ Grid::Grid(const Options &given) : options(given), services(environmentServices(
   chooseResults();
 }
 
-void Grid::setParam(const ParamText &param) {
+void Grid::setParam(ParamText param) {
+  // As anysl-link takes it: SHADER.NAME=VALUE.
+  std::string prefix = std::string(shader().name) + ".";
+  if (param.name.compare(0, prefix.size(), prefix) == 0)
+    param.name.erase(0, prefix.size());
   const AnyslParamInfo *info = anysl_shader_param(&shader(), param.name.c_str());
   if (!info || info->type != ANYSL_STRING) {
     // An unknown name is best reported by the library, whatever the value.

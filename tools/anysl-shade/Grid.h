@@ -64,7 +64,7 @@ private:
     bool alongHeight = false;
   };
 
-  void setParam(const ParamText &param);
+  void setParam(ParamText param);
   void override(const std::string &name, std::vector<double> from, std::vector<double> to,
                 bool alongHeight, const char *option);
   void chooseResults();

@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-shade/Options.h"
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -29,9 +30,9 @@ What to shade:
   --grid WxH               default: 4x4; with -o 256x256, with --bench 64x64
   --width N                points at once; default: the library's widest
   --set NAME=v[,v...]      a global (or varying parameter) has this value everywhere
-  --ramp NAME=a:b:AXIS     it goes from a to b along the axis x (also u, s) or y (v, t);
+  --ramp NAME=a:b:AXIS     it goes from a to b along the axis x (also i, u, s) or y (j, v, t);
                            a and b are v[,v...]
-  --param NAME=v[,v...]    a parameter's value: numbers, or text
+  --param NAME=v[,v...]    a parameter's value: numbers, or text; also SHADER.NAME=...
 
 What to do with it:
   --print NAME             print a global or an output parameter (repeatable);
@@ -103,10 +104,12 @@ Ramp parseRamp(const std::string &text) {
   std::vector<std::string> parts = split(value, ':');
   if (parts.size() != 3)
     fail("--ramp wants NAME=FROM:TO:AXIS, not '" + text + "'");
-  bool across = parts[2] == "x" || parts[2] == "u" || parts[2] == "s";
-  bool down = parts[2] == "y" || parts[2] == "v" || parts[2] == "t";
+  auto names = [&](std::initializer_list<std::string> axes) {
+    return std::find(axes.begin(), axes.end(), parts[2]) != axes.end();
+  };
+  bool across = names({"x", "i", "u", "s"}), down = names({"y", "j", "v", "t"});
   if (!across && !down)
-    fail("the axis of --ramp is x (or u, s) or y (or v, t), not '" + parts[2] + "'");
+    fail("the axis of --ramp is x (or i, u, s) or y (or j, v, t), not '" + parts[2] + "'");
   Ramp ramp = {name, parseNumbers(parts[0], "--ramp"), parseNumbers(parts[1], "--ramp"), down};
   if (ramp.from.size() != ramp.to.size())
     fail("the ends of --ramp " + text + " have different numbers of components");

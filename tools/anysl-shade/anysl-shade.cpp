@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-shade/Output.h"
+#include <algorithm>
 #include <cstdio>
 
 using namespace anysl::shade;
@@ -22,6 +23,12 @@ static void run(const Options &options) {
     writeImage(options, results);
   if (options.bench || !print)
     return;
+  // Ci may be there for the image only.
+  if (!options.print.empty())
+    std::erase_if(results, [&](const Result &result) {
+      return std::find(options.print.begin(), options.print.end(), result.name) ==
+             options.print.end();
+    });
   if (options.json)
     printJson(options, results, grid.isDouble());
   else
