@@ -1,4 +1,4 @@
-//===-- tools/anysl-render/Camera.cpp - rays from the eye and named spaces --------------------===//
+//===-- tools/anysl-render/Camera.cpp - rays from the eye -------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -34,7 +34,7 @@ Ray Camera::ray(double rasterX, double rasterY, uint32_t seed) const {
   if (description.perspective) {
     Vec3d direction(x * scale, y * scale, 1);
     slant = length(direction);
-    ray.direction = Vec3f(normalized(direction));
+    ray.direction = Vec3f(direction * (1 / slant));
   } else {
     ray.origin = {float(x), float(y), 0};
     ray.direction = {0, 0, 1};
@@ -80,31 +80,4 @@ void Camera::cropPixels(int &x0, int &x1, int &y0, int &y1) const {
   x1 = edge(description.cropWindow[1], description.width);
   y0 = edge(description.cropWindow[2], description.height);
   y1 = edge(description.cropWindow[3], description.height);
-}
-
-bool anysl::render::spaceMatrix(const SceneDescription &scene, const Camera &camera,
-                                const Matrix4 *shaderToCamera, const Matrix4 *objectToCamera,
-                                std::string_view from, std::string_view to, Matrix4 &matrix) {
-  auto toCamera = [&](std::string_view name, Matrix4 &result) {
-    if (name == "current" || name == "camera" || name == "eye")
-      result = Matrix4::identity();
-    else if (name == "world")
-      result = scene.worldToCamera;
-    else if (name == "shader" && shaderToCamera)
-      result = *shaderToCamera;
-    else if (name == "object" && objectToCamera)
-      result = *objectToCamera;
-    else if (auto named = scene.spaces.find(name); named != scene.spaces.end())
-      result = named->second;
-    else if (camera.projection(name, result))
-      return result.invert();
-    else
-      return false;
-    return true;
-  };
-  Matrix4 first, second;
-  if (!toCamera(from, first) || !toCamera(to, second) || !second.invert())
-    return false;
-  matrix = first * second;
-  return true;
 }

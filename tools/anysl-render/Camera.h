@@ -1,4 +1,4 @@
-//===-- tools/anysl-render/Camera.h - rays from the eye and named spaces ----------*- C++ -*---===//
+//===-- tools/anysl-render/Camera.h - rays from the eye ---------------------------*- C++ -*---===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -41,13 +41,6 @@ private:
   std::array<double, 4> window; ///< left, right, bottom, top of the screen
   double scale;                 ///< screen coordinates to directions: the tangent of half the field of view
 };
-
-/// The matrix from one named coordinate system to another. Known are "current" and "camera" (which
-/// are the same), "world", "screen", "NDC", "raster", those of CoordinateSystem, and "shader" and
-/// "object" where their matrices are given. Returns false and leaves `matrix` alone for any other.
-bool spaceMatrix(const SceneDescription &scene, const Camera &camera, const Matrix4 *shaderToCamera,
-                 const Matrix4 *objectToCamera, std::string_view from, std::string_view to,
-                 Matrix4 &matrix);
 
 } // namespace anysl::render
 

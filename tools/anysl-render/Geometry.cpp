@@ -181,7 +181,7 @@ void Geometry::addMesh(MeshSurface &surface, unsigned mask) {
     auto filter = [](const RTCFilterFunctionNArguments *a) {
       const Mesh &mesh = static_cast<const MeshSurface *>(a->geometryUserPtr)->mesh;
       for (unsigned i = 0; i < a->N; ++i) {
-        Vec3d ignored, normal = mesh.evaluate(RTCHitN_primID(a->hit, a->N, i), 0, 0, ignored).normal;
+        Vec3d ignored, normal = mesh.evaluate(RTCHitN_primID(a->hit, a->N, i), 0, 0, false, ignored).normal;
         Vec3d direction(RTCRayN_dir_x(a->ray, a->N, i), RTCRayN_dir_y(a->ray, a->N, i),
                         RTCRayN_dir_z(a->ray, a->N, i));
         if (a->valid[i] && dot(normal, direction) > 0)
@@ -264,18 +264,20 @@ void Geometry::evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t 
   point.color = appearance.color;
   point.opacity = appearance.opacity;
   double magnitude = 0;
+  constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
+  constexpr uint64_t texture = bits(ANYSL_s, ANYSL_t);
+  bool parametric = (needed & (texture | bits(ANYSL_u, ANYSL_v, ANYSL_dPdu, ANYSL_dPdv))) != 0;
   if (entry.quadrics) {
     const Quadric &quadric = entry.quadrics->quadrics[hit.primitive];
-    point.frame = quadric.evaluate(origin, direction, hit.t);
+    point.frame = quadric.evaluate(origin, direction, hit.t, parametric);
     point.frame.normal = point.normal = normalized(point.frame.normal);
   } else {
     const Mesh &mesh = entry.mesh->mesh;
-    point.frame = mesh.evaluate(hit.primitive, hit.u, hit.v, point.normal);
+    point.frame = mesh.evaluate(hit.primitive, hit.u, hit.v, parametric, point.normal);
     point.frame.normal = normalized(point.frame.normal);
     point.normal = normalized(point.normal);
     magnitude = mesh.magnitude(hit.primitive);
   }
-  constexpr uint64_t texture = uint64_t(1) << ANYSL_s | uint64_t(1) << ANYSL_t;
   if (needed & texture) {
     double u = point.frame.u, v = point.frame.v;
     const auto &st = appearance.textureCoordinates;

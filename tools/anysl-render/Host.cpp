@@ -37,57 +37,128 @@ RenderCounts &RenderCounts::operator+=(const RenderCounts &other) {
   return *this;
 }
 
-Vec3f RayStart::origin(Vec3f asked, Vec3f direction) const {
-  // A shader may start a ray anywhere, but nearly always it starts at the point being shaded. The
-  // comparison leaves room for a P that has been through another number format.
-  if (!(maxAbs(asked - P) <= 0.25f * offset))
-    return asked;
-  return asked + Ng * (dot(Ng, direction) < 0 ? -offset : offset);
+//===-- Starts of rays ------------------------------------------------------//
+
+RayStarts::RayStarts(Arena &arena, size_t count) {
+  // Whole vectors are loaded, so that the arrays reach beyond the last point.
+  count = (count + AskedRays::most - 1) / AskedRays::most * AskedRays::most;
+  for (float **array : {&P[0], &P[1], &P[2], &Ng[0], &Ng[1], &Ng[2], &offset})
+    *array = arena.allocate<float>(count);
 }
 
-bool anysl::render::traceRay(const RayStart &start, Vec3f P, Vec3f R, uint32_t seed, Ray &ray) {
-  Vec3d direction = normalized(Vec3d(R));
-  if (direction == Vec3d() || !isFinite(direction) || !isFinite(P))
-    return false;
-  ray.direction = Vec3f(direction);
-  ray.origin = start.origin(P, ray.direction);
-  ray.near = 0;
-  ray.far = 1e30f;
-  ray.seed = seed;
-  return true;
+void RayStarts::set(size_t i, const SurfacePoint &point) {
+  for (int k = 0; k < 3; ++k) {
+    P[k][i] = float(point.frame.P[k]);
+    Ng[k][i] = float(point.frame.normal[k]);
+  }
+  offset[i] = point.offset;
 }
 
-bool anysl::render::shadowRay(const RayStart &start, Vec3f from, Vec3f to, Ray &ray) {
-  Vec3d way = Vec3d(to) - Vec3d(from);
-  Vec3f direction = Vec3f(normalized(way));
-  Vec3f begin = start.origin(from, direction), end = start.origin(to, -direction);
-  way = Vec3d(end) - Vec3d(begin);
-  double distance = length(way);
-  if (!(distance > 0) || !std::isfinite(distance))
-    return false;
-  ray.origin = begin;
-  ray.direction = Vec3f(way * (1 / distance));
-  ray.near = 0;
+Ray RayStarts::behind(size_t i, Vec3f direction, uint32_t seed) const {
+  Vec3f normal(Ng[0][i], Ng[1][i], Ng[2][i]), p(P[0][i], P[1][i], P[2][i]);
+  float distance = dot(normal, direction) < 0 ? -offset[i] : offset[i];
+  return {p + normal * distance, direction, 0, 1e30f, hash(seed, behindSurface)};
+}
+
+namespace {
+
+/// How far along the normal a ray that starts at `from` has to start: 0 for a shader's own points. The
+/// comparison leaves room for a P that has been through another number format.
+[[gnu::always_inline]] inline float shift(const RayStarts &starts, size_t point, float fx, float fy, float fz, float dx,
+                   float dy, float dz) {
+  float offset = starts.offset[point], near = 0.25f * offset;
+  float x = std::fabs(fx - starts.P[0][point]), y = std::fabs(fy - starts.P[1][point]);
+  float z = std::fabs(fz - starts.P[2][point]);
+  float away = x > y ? x : y;
+  bool here = (away > z ? away : z) <= near;
+  float facing = starts.Ng[0][point] * dx + starts.Ng[1][point] * dy + starts.Ng[2][point] * dz;
+  return here ? (facing < 0 ? -offset : offset) : 0;
+}
+
+// Squares of floats do not overflow in double, so that lengths need no scaling.
+
+[[gnu::always_inline]] inline void traceLane(const RayStarts &starts, size_t point, uint32_t i, uint32_t count,
+                      const float *P, const float *R, AskedRays &rays) {
+  double x = R[i], y = R[count + i], z = R[2 * count + i];
+  double length = __builtin_sqrt(x * x + y * y + z * z), scale = 1 / length;
+  float dx = float(x * scale), dy = float(y * scale), dz = float(z * scale);
+  float px = P[i], py = P[count + i], pz = P[2 * count + i];
+  float off = shift(starts, point, px, py, pz, dx, dy, dz);
+  rays.origin[0][i] = px + starts.Ng[0][point] * off;
+  rays.origin[1][i] = py + starts.Ng[1][point] * off;
+  rays.origin[2][i] = pz + starts.Ng[2][point] * off;
+  rays.direction[0][i] = dx;
+  rays.direction[1][i] = dy;
+  rays.direction[2][i] = dz;
+  rays.far[i] = 1e30f;
+  // Written so that NaN fails, in P as well.
+  rays.valid[i] = (length > 0) & (length < 1e300) & (px - px == 0) & (py - py == 0) & (pz - pz == 0);
+}
+
+[[gnu::always_inline]] inline void shadowLane(const RayStarts &starts, size_t point, uint32_t i, uint32_t count,
+                       const float *from, const float *to, AskedRays &rays) {
+  float fx = from[i], fy = from[count + i], fz = from[2 * count + i];
+  float tx = to[i], ty = to[count + i], tz = to[2 * count + i];
+  float dx = tx - fx, dy = ty - fy, dz = tz - fz;
+  float off = shift(starts, point, fx, fy, fz, dx, dy, dz);
+  fx += starts.Ng[0][point] * off;
+  fy += starts.Ng[1][point] * off;
+  fz += starts.Ng[2][point] * off;
+  off = shift(starts, point, tx, ty, tz, -dx, -dy, -dz);
+  tx += starts.Ng[0][point] * off;
+  ty += starts.Ng[1][point] * off;
+  tz += starts.Ng[2][point] * off;
+  double x = double(tx) - fx, y = double(ty) - fy, z = double(tz) - fz;
+  double length = __builtin_sqrt(x * x + y * y + z * z), scale = 1 / length;
+  rays.origin[0][i] = fx;
+  rays.origin[1][i] = fy;
+  rays.origin[2][i] = fz;
+  rays.direction[0][i] = float(x * scale);
+  rays.direction[1][i] = float(y * scale);
+  rays.direction[2][i] = float(z * scale);
   // Not as far as a surface on which the other end may lie.
-  ray.far = float(distance * (1 - 0x1p-18));
-  return true;
+  rays.far[i] = float(length * (1 - 0x1p-18));
+  rays.valid[i] = (length > 0) & (length < 1e300);
 }
+
+} // namespace
+
+// One lane and many compute the same.
+namespace anysl::render {
+
+ANYSL_RENDER_WIDE void makeTraceRays(const RayStarts &given, size_t first, uint32_t count,
+                                     const float *P, const float *R, AskedRays &rays) {
+  const RayStarts starts = given;
+#pragma clang loop vectorize(assume_safety)
+  for (uint32_t i = 0; i < count; ++i)
+    traceLane(starts, first + i, i, count, P, R, rays);
+}
+
+ANYSL_RENDER_WIDE void makeShadowRays(const RayStarts &given, size_t first, uint32_t count,
+                                      const float *from, const float *to, AskedRays &rays) {
+  const RayStarts starts = given;
+#pragma clang loop vectorize(assume_safety)
+  for (uint32_t i = 0; i < count; ++i)
+    shadowLane(starts, first + i, i, count, from, to, rays);
+}
+
+} // namespace anysl::render
+
+//===-- Shading -------------------------------------------------------------//
 
 Vec3f anysl::render::defaultSurface(const SurfacePoint &point, Vec3f direction) {
   double facing = std::fabs(dot(point.normal, Vec3d(direction)));
   return Vec3f(point.color * point.opacity * (0.1 + 0.9 * facing));
 }
 
-int anysl::render::serveSpaceMatrix(void *renderer, const Matrix4 *objectToCamera, const char *from,
+int anysl::render::serveSpaceMatrix(void *renderer, const Space *object, const char *from,
                                     const char *to, double matrix[16]) {
   const auto &shader = *static_cast<const SurfaceShader *>(renderer);
-  const Scene &scene = *shader.scene;
   Matrix4 result;
-  if (!spaceMatrix(scene.description, scene.camera, &shader.use->shaderToCamera, objectToCamera, from,
-                   to, result))
+  if (!shader.scene->spaces.matrix(&shader.space, object, from, to, result))
     return 0;
   for (int i = 0; i < 16; ++i)
-    matrix[i] = result.m[i / 4][i % 4];
+    matrix[i] = result.m[size_t(i / 4)][size_t(i % 4)];
   return 1;
 }
 

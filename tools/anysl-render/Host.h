@@ -133,20 +133,39 @@ constexpr unsigned maxLayers = 64;
 /// The number mixed into a ray's seed where it goes on behind a surface.
 constexpr uint32_t behindSurface = 0x62656864;
 
-/// What is kept of a shaded point for the rays that start there.
-struct RayStart {
-  Vec3f P, Ng;
-  float offset = 0;
+/// What is kept of shaded points for the rays that start there, one array for each number.
+struct RayStarts {
+  float *P[3], *Ng[3];
+  float *offset;
 
-  /// A ray's origin: P, and where that is this point, moved off its surface to the side that
-  /// `direction` leads to, so far that the ray cannot meet the surface where it started.
-  Vec3f origin(Vec3f P, Vec3f direction) const;
+  RayStarts(Arena &arena, size_t count);
+  void set(size_t i, const SurfacePoint &point);
+  /// The ray that goes on behind point i.
+  Ray behind(size_t i, Vec3f direction, uint32_t seed) const;
 };
 
-/// The ray for trace(P, R); false where R is no direction.
-bool traceRay(const RayStart &start, Vec3f P, Vec3f R, uint32_t seed, Ray &ray);
-/// The ray for transmission(from, to), from 0 to ray.far; false where the two points coincide.
-bool shadowRay(const RayStart &start, Vec3f from, Vec3f to, Ray &ray);
+/// Rays that shaders ask for, up to 16 at once, one array for each number.
+struct AskedRays {
+  static constexpr uint32_t most = 16;
+  alignas(64) float origin[3][most], direction[3][most], far[most];
+  alignas(64) uint32_t valid[most]; ///< 0 where there is no ray to trace
+
+  Ray ray(uint32_t i, uint32_t seed) const {
+    return {{origin[0][i], origin[1][i], origin[2][i]},
+            {direction[0][i], direction[1][i], direction[2][i]}, 0, far[i], seed};
+  }
+};
+
+/// The rays for trace(P, R) from the points first, first + 1, ...; vectors lie as x[count] y[count]
+/// z[count]. A ray that starts at its point, as nearly all do, starts a little off the surface on the
+/// side that R leads to, so far that it cannot meet the surface where it starts. None is valid where R
+/// is no direction.
+void makeTraceRays(const RayStarts &starts, size_t first, uint32_t count, const float *P,
+                   const float *R, AskedRays &rays);
+/// The rays for transmission(from, to), either of which may be the point itself. None is valid where
+/// both are the same.
+void makeShadowRays(const RayStarts &starts, size_t first, uint32_t count, const float *from,
+                    const float *to, AskedRays &rays);
 
 /// Where a shadow ray goes on that has passed a surface at distance t.
 inline float afterHit(float t) { return std::nextafter(t * (1 + 0x1p-20f), 1e30f); }
@@ -200,8 +219,8 @@ void storeUniformGlobals(uint64_t wanted, const Scene &scene, const Store &store
 /// The surface that shows where a scene names none: lit from the eye.
 Vec3f defaultSurface(const SurfacePoint &point, Vec3f direction);
 
-/// The matrix for the service space_matrix; `renderer` is the SurfaceShader, `objectToCamera` may be null.
-int serveSpaceMatrix(void *renderer, const Matrix4 *objectToCamera, const char *from, const char *to,
+/// The service space_matrix; `renderer` is the SurfaceShader, `object` may be null.
+int serveSpaceMatrix(void *renderer, const Space *object, const char *from, const char *to,
                      double matrix[16]);
 
 /// The common part of what a shader is called with.

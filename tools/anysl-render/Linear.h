@@ -15,6 +15,10 @@
 #include <array>
 #include <cmath>
 
+/// Compiles a function once for each length of vectors; the program chooses when it starts.
+#define ANYSL_RENDER_WIDE                                                                          \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+
 namespace anysl::render {
 
 template <typename T> struct Vec3 {
@@ -87,6 +91,8 @@ struct Matrix4 {
   }
 
   Vec3d point(Vec3d p) const;
+  /// The same for a matrix whose last column is 0 0 0 1.
+  Vec3d affinePoint(Vec3d p) const { return vector(p) + Vec3d(m[3][0], m[3][1], m[3][2]); }
   Vec3d vector(Vec3d v) const {
     return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0],
             v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],

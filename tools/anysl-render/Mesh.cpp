@@ -105,7 +105,7 @@ Mesh Mesh::fromSweep(const QuadricShape &shape, const Matrix4 &objectToCamera,
       mesh.points.push_back(Vec3f(objectToCamera.point(p)));
       mesh.normals.push_back(normalized(mesh.toObject.normalByInverse(normal)) *
                              (appearance.reverseOrientation ? -1.0 : 1.0));
-      mesh.parametric.emplace_back(u, v, 0);
+      mesh.parameters.emplace_back(u, v, 0);
     }
   }
   for (uint32_t row = 0; row < rows; ++row)
@@ -118,14 +118,18 @@ Mesh Mesh::fromSweep(const QuadricShape &shape, const Matrix4 &objectToCamera,
   return mesh;
 }
 
-SurfaceFrame Mesh::evaluate(uint32_t triangle, float u, float v, Vec3d &shadingNormal) const {
+SurfaceFrame Mesh::evaluate(uint32_t triangle, float u, float v, bool parametric,
+                            Vec3d &shadingNormal) const {
   const auto &corner = triangles[triangle];
   Vec3d p0(points[corner[0]]), p1(points[corner[1]]), p2(points[corner[2]]);
   SurfaceFrame frame;
   frame.P = p0 * (1.0 - u - v) + p1 * double(u) + p2 * double(v);
   frame.normal = cross(p1 - p0, p2 - p0) * normalSign;
+  shadingNormal = normals.empty() ? frame.normal : interpolate(normals, triangle, u, v);
+  if (!parametric)
+    return frame;
   if (planar) {
-    Vec3d p = toObject.point(frame.P);
+    Vec3d p = toObject.affinePoint(frame.P);
     frame.u = p.x;
     frame.v = p.y;
     // Along x and y of object space within the plane; where it stands on edge, any two directions.
@@ -138,7 +142,7 @@ SurfaceFrame Mesh::evaluate(uint32_t triangle, float u, float v, Vec3d &shadingN
       frame.dPdv = normalized(cross(frame.normal, frame.dPdu));
     }
   } else {
-    Vec3d a = parametric[corner[0]], b = parametric[corner[1]], c = parametric[corner[2]];
+    Vec3d a = parameters[corner[0]], b = parameters[corner[1]], c = parameters[corner[2]];
     Vec3d uv = a * (1.0 - u - v) + b * double(u) + c * double(v);
     frame.u = uv.x;
     frame.v = uv.y;
@@ -148,7 +152,6 @@ SurfaceFrame Mesh::evaluate(uint32_t triangle, float u, float v, Vec3d &shadingN
     frame.dPdu = (d1 * e2.y - d2 * e1.y) * (1 / determinant);
     frame.dPdv = (d2 * e1.x - d1 * e2.x) * (1 / determinant);
   }
-  shadingNormal = normals.empty() ? frame.normal : interpolate(normals, triangle, u, v);
   return frame;
 }
 

@@ -24,7 +24,9 @@ public:
 
   /// The surface at the barycentric coordinates (u, v) of a triangle, as Embree counts them. The
   /// frame's normal is the geometric one; `shadingNormal` is interpolated where the mesh has normals.
-  SurfaceFrame evaluate(uint32_t triangle, float u, float v, Vec3d &shadingNormal) const;
+  /// Parameters and derivatives are computed only if asked for.
+  SurfaceFrame evaluate(uint32_t triangle, float u, float v, bool parametric,
+                        Vec3d &shadingNormal) const;
   /// Values at the corners, if the mesh has them; otherwise they leave `result` alone.
   void color(uint32_t triangle, float u, float v, Vec3d &result) const;
   void opacity(uint32_t triangle, float u, float v, Vec3d &result) const;
@@ -47,7 +49,7 @@ private:
   Matrix4 toCamera, toObject;
   double normalSign = 1;
   bool planar = true; ///< u and v are x and y in object space; otherwise given at the corners
-  std::vector<Vec3d> normals, colors, opacities, textures, parametric;
+  std::vector<Vec3d> normals, colors, opacities, textures, parameters;
 };
 
 } // namespace anysl::render

@@ -61,7 +61,7 @@ struct PacketBatch {
   const class PacketHostBase *host;
   ThreadState *state;
   const ShadingGroup *group;
-  const RayStart *starts;
+  const RayStarts *starts;
   const uint32_t *seeds;
   uint32_t *rays; ///< how many rays each point has traced so far
   unsigned depth;
@@ -254,7 +254,7 @@ void PacketHost<W>::shade(ThreadState &state, const RayList &rays, const uint32_
   const ShadingGroup &group = theScene.group(groupIndex);
   Arena::Scope scope(state.arena);
   size_t size = (size_t(count) + 15) / 16 * 16;
-  RayStart *starts = state.arena.allocate<RayStart>(size);
+  RayStarts starts(state.arena, size);
   float *arrays[ANYSL_COMPONENT_COUNT] = {};
   constexpr uint64_t outputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL_Oi;
   uint64_t wanted = outputs | (group.shader ? group.shader->globals : 0);
@@ -266,7 +266,7 @@ void PacketHost<W>::shade(ThreadState &state, const RayList &rays, const uint32_
     Vec3f origin = rays.originOf(ray), direction = rays.directionOf(ray);
     SurfacePoint point;
     geometry.evaluate(rays.hitOf(ray), origin, direction, group.shader ? group.shader->needed : 0, point);
-    starts[i] = {Vec3f(point.frame.P), Vec3f(point.frame.normal), point.offset};
+    starts.set(i, point);
     storeGlobals(wanted, point, origin,
                  [&](int component, double value) { arrays[component][i] = float(value); });
     if (!group.shader) {
@@ -288,7 +288,7 @@ void PacketHost<W>::shade(ThreadState &state, const RayList &rays, const uint32_
       arrays[component] = state.arena.allocate<float>(16);
       std::fill_n(arrays[component], 16, float(value));
     });
-    PacketBatch batch{this, &state, &group, starts, seeds, traced, depth};
+    PacketBatch batch{this, &state, &group, &starts, seeds, traced, depth};
     AnyslShadeArgs args = makeShadeArgs(group, count, &batch);
     args.globals = reinterpret_cast<void *const *>(arrays);
     args.seeds = seeds;
@@ -312,11 +312,7 @@ void PacketHost<W>::shade(ThreadState &state, const RayList &rays, const uint32_
       passing[target] = Vec3f();
       continue;
     }
-    Ray next;
-    next.direction = rays.directionOf(ray);
-    next.origin = starts[i].origin(starts[i].P, next.direction);
-    next.seed = hash(rays.seed[ray], behindSurface);
-    behind.add(next, target);
+    behind.add(starts.behind(i, rays.directionOf(ray), rays.seed[ray]), target);
   }
 }
 
@@ -353,12 +349,23 @@ void PacketHostBase::transmission(ThreadState &state, RayList &rays, Vec3f *pass
 
 //===-- Services ------------------------------------------------------------//
 
-Vec3f lane(const float *vectors, uint32_t width, uint32_t i) {
-  return {vectors[i], vectors[width + i], vectors[2 * width + i]};
-}
 void setLane(float *vectors, uint32_t width, uint32_t i, Vec3f value) {
   for (uint32_t k = 0; k < 3; ++k)
     vectors[k * width + i] = value[int(k)];
+}
+
+/// The rays that the points of `mask` ask for, close together; a ray's target is its lane.
+template <typename Seed>
+RayList gather(PacketBatch &batch, const AskedRays &asked, uint32_t first, uint32_t width,
+               uint32_t mask, const Seed &seed) {
+  RayList rays(batch.state->arena, width);
+  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+    uint32_t i = uint32_t(std::countr_zero(rest));
+    uint32_t itsSeed = seed(first + i);
+    if (asked.valid[i])
+      rays.add(asked.ray(i, itsSeed), i);
+  }
+  return rays;
 }
 
 void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32_t mask,
@@ -367,17 +374,13 @@ void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32
   ThreadState &state = *batch.state;
   ServiceScope service(state);
   Arena::Scope scope(state.arena);
-  RayList rays(state.arena, width);
   std::fill_n(color, 3 * width, 0.0f);
-  bool tooDeep = batch.depth >= batch.host->scene().description.maxDepth;
-  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
-    uint32_t i = uint32_t(std::countr_zero(rest)), point = first + i;
-    uint32_t seed = hash(batch.seeds[point], ++batch.rays[point]);
-    Ray ray;
-    if (!tooDeep && traceRay(batch.starts[point], lane(P, width, i), lane(R, width, i), seed, ray))
-      rays.add(ray, i);
-  }
-  if (rays.count == 0)
+  AskedRays asked;
+  makeTraceRays(*batch.starts, first, width, P, R, asked);
+  RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
+    return hash(batch.seeds[point], ++batch.rays[point]);
+  });
+  if (rays.count == 0 || batch.depth >= batch.host->scene().description.maxDepth)
     return;
   state.counts.traceRays += rays.count;
   Radiance *radiance = state.arena.allocate<Radiance>(width);
@@ -392,14 +395,10 @@ void serveDistancePacket(void *, const AnyslShadeArgs *args, uint32_t first, uin
   ThreadState &state = *batch.state;
   ServiceScope service(state);
   Arena::Scope scope(state.arena);
-  RayList rays(state.arena, width);
   std::fill_n(distance, width, 1e30f);
-  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
-    uint32_t i = uint32_t(std::countr_zero(rest));
-    Ray ray;
-    if (traceRay(batch.starts[first + i], lane(P, width, i), lane(R, width, i), 0, ray))
-      rays.add(ray, i);
-  }
+  AskedRays asked;
+  makeTraceRays(*batch.starts, first, width, P, R, asked);
+  RayList rays = gather(batch, asked, first, width, mask, [](uint32_t) { return 0u; });
   state.counts.traceRays += rays.count;
   batch.host->findNearest(rays, TraceRays);
   for (uint32_t i = 0; i < rays.count; ++i)
@@ -412,14 +411,10 @@ void serveTransmissionPacket(void *, const AnyslShadeArgs *args, uint32_t first,
   ThreadState &state = *batch.state;
   ServiceScope service(state);
   Arena::Scope scope(state.arena);
-  RayList rays(state.arena, width);
   std::fill_n(color, 3 * width, 1.0f);
-  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
-    uint32_t i = uint32_t(std::countr_zero(rest));
-    Ray ray;
-    if (shadowRay(batch.starts[first + i], lane(from, width, i), lane(to, width, i), ray))
-      rays.add(ray, i);
-  }
+  AskedRays asked;
+  makeShadowRays(*batch.starts, first, width, from, to, asked);
+  RayList rays = gather(batch, asked, first, width, mask, [](uint32_t) { return 0u; });
   Vec3f *passing = state.arena.allocate<Vec3f>(width);
   batch.host->transmission(state, rays, passing);
   for (uint32_t i = 0; i < rays.count; ++i)
@@ -453,7 +448,7 @@ void serveTransmission(void *renderer, const AnyslShadeArgs *args, uint32_t poin
 
 int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to, double *matrix) {
   const auto *batch = static_cast<const PacketBatch *>(args->batch);
-  return serveSpaceMatrix(renderer, batch ? batch->group->objectToCamera : nullptr, from, to, matrix);
+  return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
 }
 
 const AnyslServices services = {sizeof(AnyslServices), serveTrace,        serveTracePacket,

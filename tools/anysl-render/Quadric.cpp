@@ -157,8 +157,7 @@ void Quadric::bounds(Vec3f &lower, Vec3f &upper) const {
   }
 }
 
-// One version for each vector length, chosen when the program starts.
-__attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"))) void
+ANYSL_RENDER_WIDE void
 Quadric::roots(const float *__restrict rays, unsigned stride, unsigned count, double *__restrict first,
                double *__restrict second) const {
   const auto m = toObject.m;
@@ -207,7 +206,7 @@ bool Quadric::accepts(Vec3f origin, Vec3f direction, double t) const {
     return false;
   if (!limitedZ && !limitedRadius && !limitedSweep && !oneSided)
     return true;
-  Vec3d p = toObject.point(Vec3d(origin) + Vec3d(direction) * t);
+  Vec3d p = toObject.affinePoint(Vec3d(origin) + Vec3d(direction) * t);
   if (limitedZ && !(p.z >= zmin && p.z <= zmax))
     return false;
   if (limitedRadius && !(square(p.x) + square(p.y) <= square(maxRadius)))
@@ -289,15 +288,18 @@ SurfaceFrame Quadric::objectFrame(Vec3d p) const {
   return frame;
 }
 
-SurfaceFrame Quadric::evaluate(Vec3f origin, Vec3f direction, double t) const {
-  Vec3d p = refine(toObject.point(Vec3d(origin) + Vec3d(direction) * t));
-  SurfaceFrame frame = objectFrame(p);
+SurfaceFrame Quadric::evaluate(Vec3f origin, Vec3f direction, double t, bool parametric) const {
+  Vec3d p = refine(toObject.affinePoint(Vec3d(origin) + Vec3d(direction) * t));
+  SurfaceFrame frame;
+  if (parametric) {
+    frame = objectFrame(p);
+    frame.dPdu = toCamera.vector(frame.dPdu);
+    frame.dPdv = toCamera.vector(frame.dPdv);
+  }
   Vec3d normal = gradient(p) * (reverse ? -normalSign : normalSign);
   if (normal == Vec3d())
     normal = {0, 0, shape.height < 0 ? -1.0 : 1.0}; // a cone's apex
-  frame.P = toCamera.point(p);
+  frame.P = toCamera.affinePoint(p);
   frame.normal = toObject.normalByInverse(normal);
-  frame.dPdu = toCamera.vector(frame.dPdu);
-  frame.dPdv = toCamera.vector(frame.dPdv);
   return frame;
 }

@@ -43,8 +43,9 @@ public:
   /// Whether the point at distance t lies within the limits, on a side that is to be seen.
   bool accepts(Vec3f origin, Vec3f direction, double t) const;
 
-  /// The surface at the hit at distance t, moved onto the surface exactly.
-  SurfaceFrame evaluate(Vec3f origin, Vec3f direction, double t) const;
+  /// The surface at the hit at distance t, moved onto the surface exactly. Parameters and derivatives
+  /// are computed only if asked for.
+  SurfaceFrame evaluate(Vec3f origin, Vec3f direction, double t, bool parametric = true) const;
 
 private:
   Vec3d refine(Vec3d p) const;

@@ -21,7 +21,7 @@ struct PointBatch {
   const class ScalarHost *host;
   ThreadState *state;
   const ShadingGroup *group;
-  RayStart start;
+  RayStarts starts;
   unsigned depth;
   uint32_t seed;
   uint32_t rays = 0; ///< how many the shader has traced from this point
@@ -52,7 +52,7 @@ private:
   static void serveTransmission(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *, double *);
   static int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to, double *matrix) {
     const auto *batch = static_cast<const PointBatch *>(args->batch);
-    return serveSpaceMatrix(renderer, batch ? batch->group->objectToCamera : nullptr, from, to, matrix);
+    return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
   }
   static const AnyslServices services;
 
@@ -62,7 +62,11 @@ private:
 const AnyslServices ScalarHost::services = {
     sizeof(AnyslServices), serveTrace, nullptr, serveDistance, nullptr, serveTransmission, nullptr, serveMatrix};
 
-Vec3f toFloat(const double *v) { return {float(v[0]), float(v[1]), float(v[2])}; }
+/// Three numbers of a shader's, as the shared code takes the vectors of one point.
+struct Triple {
+  explicit Triple(const double *v) : value{float(v[0]), float(v[1]), float(v[2])} {}
+  float value[3];
+};
 
 Hit ScalarHost::intersect(const Ray &ray, unsigned mask) const {
   RTCRayHit query;
@@ -87,8 +91,9 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
     SurfacePoint point;
     geometry.evaluate(hit, ray.origin, ray.direction, group.shader ? group.shader->needed : 0, point);
-    PointBatch batch{this, &state, &group,
-                     {Vec3f(point.frame.P), Vec3f(point.frame.normal), point.offset}, depth, ray.seed};
+    Arena::Scope scope(state.arena);
+    PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
+    batch.starts.set(0, point);
     Vec3f Ci, Oi;
     if (!group.shader) {
       Ci = defaultSurface(point, ray.direction);
@@ -104,10 +109,7 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
       passing = Vec3f();
       break;
     }
-    ray.origin = batch.start.origin(batch.start.P, ray.direction);
-    ray.near = 0;
-    ray.far = 1e30f;
-    ray.seed = hash(ray.seed, behindSurface);
+    ray = batch.starts.behind(0, ray.direction, ray.seed);
   }
   radiance.alpha = 1 - (passing.x + passing.y + passing.z) / 3;
   return radiance;
@@ -166,13 +168,13 @@ void ScalarHost::serveTrace(void *, const AnyslShadeArgs *args, uint32_t, const 
                             const double *R, double *color) {
   auto &batch = *static_cast<PointBatch *>(args->batch);
   ServiceScope scope(*batch.state);
-  Ray ray;
   Vec3f result;
   uint32_t seed = hash(batch.seed, ++batch.rays);
-  if (batch.depth < batch.host->theScene.description.maxDepth &&
-      traceRay(batch.start, toFloat(P), toFloat(R), seed, ray)) {
+  AskedRays asked;
+  makeTraceRays(batch.starts, 0, 1, Triple(P).value, Triple(R).value, asked);
+  if (batch.depth < batch.host->theScene.description.maxDepth && asked.valid[0]) {
     ++batch.state->counts.traceRays;
-    result = batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1).color;
+    result = batch.host->follow(*batch.state, asked.ray(0, seed), TraceRays, batch.depth + 1).color;
   }
   for (int k = 0; k < 3; ++k)
     color[k] = result[k];
@@ -182,21 +184,23 @@ double ScalarHost::serveDistance(void *, const AnyslShadeArgs *args, uint32_t, c
                                  const double *R) {
   auto &batch = *static_cast<PointBatch *>(args->batch);
   ServiceScope scope(*batch.state);
-  Ray ray;
-  if (!traceRay(batch.start, toFloat(P), toFloat(R), 0, ray))
+  AskedRays asked;
+  makeTraceRays(batch.starts, 0, 1, Triple(P).value, Triple(R).value, asked);
+  if (!asked.valid[0])
     return 1e30;
   ++batch.state->counts.traceRays;
-  return batch.host->intersect(ray, TraceRays).t;
+  return batch.host->intersect(asked.ray(0, 0), TraceRays).t;
 }
 
 void ScalarHost::serveTransmission(void *, const AnyslShadeArgs *args, uint32_t, const double *from,
                                    const double *to, double *color) {
   auto &batch = *static_cast<PointBatch *>(args->batch);
   ServiceScope scope(*batch.state);
-  Ray ray;
   Vec3f result(1);
-  if (shadowRay(batch.start, toFloat(from), toFloat(to), ray))
-    result = batch.host->transmission(*batch.state, ray);
+  AskedRays asked;
+  makeShadowRays(batch.starts, 0, 1, Triple(from).value, Triple(to).value, asked);
+  if (asked.valid[0])
+    result = batch.host->transmission(*batch.state, asked.ray(0, 0));
   for (int k = 0; k < 3; ++k)
     color[k] = result[k];
 }

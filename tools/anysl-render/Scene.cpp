@@ -44,7 +44,7 @@ bool fits(ValueType declared, uint32_t wanted) {
 
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
-    : description(given), camera(given.camera), background(given) {
+    : description(given), camera(given.camera), spaces(given, camera), background(given) {
   loadShaders(cache, services, layout, width, warnings);
   makeGroups(warnings);
   surfaces = std::make_unique<Geometry>(description, groupOfShape);
@@ -113,6 +113,7 @@ void Scene::loadShaders(const ShaderCache &cache, const AnyslServices &services,
     auto surface = std::make_unique<SurfaceShader>();
     surface->scene = this;
     surface->use = &use;
+    surface->space = Space(use.shaderToCamera);
     AnyslInstance *instance = nullptr;
     if (anysl_instance_create(library, shader->name, &services, surface.get(), &instance))
       throw UserError(use.where, anysl_last_error());
@@ -154,12 +155,11 @@ void Scene::setParameters(SurfaceShader &shader, Warnings &warnings) {
       // Geometric values are given in the space of the request, and shaders want camera space.
       std::vector<double> numbers = parameter.numbers;
       bool geometric = param->type == ANYSL_POINT || param->type == ANYSL_VECTOR || param->type == ANYSL_NORMAL;
-      Matrix4 inverse = use.shaderToCamera.inverse();
       for (size_t i = 0; geometric && i + 2 < numbers.size(); i += 3) {
         Vec3d value(numbers[i], numbers[i + 1], numbers[i + 2]);
         value = param->type == ANYSL_POINT    ? use.shaderToCamera.point(value)
                 : param->type == ANYSL_VECTOR ? use.shaderToCamera.vector(value)
-                                              : inverse.normalByInverse(value);
+                                              : shader.space.fromCamera.normalByInverse(value);
         for (size_t k = 0; k < 3; ++k)
           numbers[i + k] = value[int(k)];
       }
@@ -186,7 +186,7 @@ void Scene::makeGroups(Warnings &warnings) {
     Key key{appearance.surface, &lights->second, bySpace ? i : anyObject};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
     if (isNewGroup)
-      groups.push_back({shader, &lights->second, &shape.objectToCamera});
+      groups.push_back({shader, &lights->second, Space(shape.objectToCamera)});
     groupOfShape.push_back(entry->second);
   }
 }

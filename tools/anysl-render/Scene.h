@@ -8,10 +8,10 @@
 #ifndef ANYSL_RENDER_SCENE_H
 #define ANYSL_RENDER_SCENE_H
 
-#include "tools/anysl-render/Camera.h"
 #include "tools/anysl-render/Geometry.h"
 #include "tools/anysl-render/Lights.h"
 #include "tools/anysl-render/ShaderCache.h"
+#include "tools/anysl-render/Spaces.h"
 
 #include <anysl/anysl.h>
 
@@ -30,6 +30,7 @@ using LibraryHandle = std::unique_ptr<AnyslLibrary, LibraryCloser>;
 struct SurfaceShader {
   const Scene *scene = nullptr;
   const ShaderUse *use = nullptr;
+  Space space; ///< "shader"
   struct Free {
     void operator()(AnyslInstance *instance) const { anysl_instance_free(instance); }
   };
@@ -45,7 +46,7 @@ struct SurfaceShader {
 struct ShadingGroup {
   const SurfaceShader *shader = nullptr; ///< null: the built-in default surface
   const LightSet *lights = nullptr;
-  const Matrix4 *objectToCamera = nullptr;
+  Space object;
 };
 
 /// What both hosts work on: surfaces in Embree, shaders with their values, lights, camera. It is
@@ -59,6 +60,7 @@ public:
 
   const SceneDescription &description;
   const Camera camera;
+  const Spaces spaces;
   const Background background;
   const Geometry &geometry() const { return *surfaces; }
   const ShadingGroup &group(uint32_t index) const { return groups[index]; }

@@ -5,13 +5,19 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-render/Camera.h"
+#include "tools/anysl-render/Spaces.h"
 
 #include <catch2/catch.hpp>
 
 using namespace anysl::render;
 
 namespace {
+bool spaceMatrix(const SceneDescription &scene, const Camera &camera, const Matrix4 *shader,
+                 const char *from, const char *to, Matrix4 &matrix) {
+  Space space(shader ? *shader : Matrix4::identity());
+  return Spaces(scene, camera).matrix(shader ? &space : nullptr, nullptr, from, to, matrix);
+}
+
 CameraDescription wide() {
   CameraDescription description;
   description.perspective = true;
@@ -60,14 +66,14 @@ TEST_CASE("raster space is where camera rays come from", "[camera]") {
     Ray ray = camera.ray(30, 80, 0);
     Vec3d p = Vec3d(ray.origin) + Vec3d(ray.direction) * 3.0;
     Matrix4 toRaster;
-    REQUIRE(spaceMatrix(scene, camera, nullptr, nullptr, "current", "raster", toRaster));
+    REQUIRE(spaceMatrix(scene, camera, nullptr, "current", "raster", toRaster));
     CHECK(toRaster.point(p).x == Approx(30).epsilon(1e-6));
     CHECK(toRaster.point(p).y == Approx(80).epsilon(1e-6));
     Matrix4 back;
-    REQUIRE(spaceMatrix(scene, camera, nullptr, nullptr, "raster", "camera", back));
+    REQUIRE(spaceMatrix(scene, camera, nullptr, "raster", "camera", back));
     CHECK(maxAbs(back.point(toRaster.point(p)) - p) < 1e-6);
     Matrix4 toNDC;
-    REQUIRE(spaceMatrix(scene, camera, nullptr, nullptr, "camera", "NDC", toNDC));
+    REQUIRE(spaceMatrix(scene, camera, nullptr, "camera", "NDC", toNDC));
     CHECK(toNDC.point(p).x == Approx(0.15).epsilon(1e-6));
     CHECK(toNDC.point(p).y == Approx(0.8).epsilon(1e-6));
   }
@@ -79,13 +85,13 @@ TEST_CASE("named spaces, and names that are none", "[camera]") {
   scene.spaces["wood"] = Matrix4::scaling({2, 2, 2});
   Camera camera(scene.camera);
   Matrix4 shader = Matrix4::translation({1, 0, 0}), matrix;
-  REQUIRE(spaceMatrix(scene, camera, &shader, nullptr, "current", "world", matrix));
+  REQUIRE(spaceMatrix(scene, camera, &shader, "current", "world", matrix));
   CHECK(matrix.point({1, 2, 3}) == Vec3d(1, 2, -2));
-  REQUIRE(spaceMatrix(scene, camera, &shader, nullptr, "shader", "wood", matrix));
+  REQUIRE(spaceMatrix(scene, camera, &shader, "shader", "wood", matrix));
   CHECK(matrix.point({1, 2, 3}) == Vec3d(1, 1, 1.5));
   matrix = Matrix4::scaling({7, 7, 7});
-  CHECK_FALSE(spaceMatrix(scene, camera, &shader, nullptr, "current", "object", matrix));
-  CHECK_FALSE(spaceMatrix(scene, camera, &shader, nullptr, "nowhere", "world", matrix));
+  CHECK_FALSE(spaceMatrix(scene, camera, &shader, "current", "object", matrix));
+  CHECK_FALSE(spaceMatrix(scene, camera, &shader, "nowhere", "world", matrix));
   CHECK(matrix == Matrix4::scaling({7, 7, 7}));
 }
 

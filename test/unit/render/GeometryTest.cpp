@@ -46,6 +46,22 @@ Vec3d randomDirection(uint32_t seed) {
   }
 }
 
+/// The ray that a shader at the point gets for a direction.
+Ray restart(const SurfacePoint &point, Vec3d direction) {
+  Arena arena;
+  RayStarts starts(arena, 1);
+  starts.set(0, point);
+  float P[3], R[3];
+  for (int k = 0; k < 3; ++k) {
+    P[k] = float(point.frame.P[k]);
+    R[k] = float(direction[k]);
+  }
+  AskedRays rays;
+  makeTraceRays(starts, 0, 1, P, R, rays);
+  REQUIRE(rays.valid[0]);
+  return rays.ray(0, 0);
+}
+
 /// Shoots at an object, starts a second ray from each hit into the outer half space and counts how
 /// often it meets the convex object that it starts from.
 void checkRestarts(const std::string &shape, double scale) {
@@ -62,7 +78,6 @@ void checkRestarts(const std::string &shape, double scale) {
       continue;
     SurfacePoint point;
     scene.geometry->evaluate(hit, ray.origin, ray.direction, 0, point);
-    RayStart start{Vec3f(point.frame.P), Vec3f(point.frame.normal), point.offset};
     Vec3d direction = randomDirection(i);
     if (dot(direction, point.frame.normal) < 0)
       direction = -direction;
@@ -72,10 +87,8 @@ void checkRestarts(const std::string &shape, double scale) {
     // Rounding may tip a tangent to the inner side.
     if (dot(Vec3d(Vec3f(direction)), point.frame.normal) < 1e-6)
       continue;
-    Ray second;
-    REQUIRE(traceRay(start, start.P, Vec3f(direction), 0, second));
     ++starts;
-    falseHits += scene.shoot(second).isHit();
+    falseHits += scene.shoot(restart(point, direction)).isHit();
   }
   INFO(shape << " at scale " << scale);
   CHECK(starts > 20000);
@@ -108,12 +121,9 @@ TEST_CASE("rays that start on a large floor near the eye do not meet it", "[geom
     REQUIRE(hit.isHit());
     SurfacePoint point;
     scene.geometry->evaluate(hit, ray.origin, ray.direction, 0, point);
-    RayStart start{Vec3f(point.frame.P), Vec3f(point.frame.normal), point.offset};
     Vec3d up = randomDirection(i);
     up.y = std::fabs(up.y) * 1e-3;
-    Ray second;
-    REQUIRE(traceRay(start, start.P, Vec3f(up), 0, second));
-    falseHits += scene.shoot(second).isHit();
+    falseHits += scene.shoot(restart(point, up)).isHit();
   }
   CHECK(falseHits == 0);
 }
@@ -196,14 +206,53 @@ TEST_CASE("a polygon's normal, texture coordinates and colours", "[geometry]") {
   CHECK(maxAbs(point.frame.dPdv - Vec3d(0, 1, 0)) < 1e-12);
 }
 
-TEST_CASE("a shadow ray ends before the surface that it leads to", "[geometry]") {
-  RayStart start{{0, 0, 1000}, {0, 0, -1}, 1000 * 0x1p-18f};
-  Ray ray;
-  REQUIRE(shadowRay(start, {5, 5, 0}, start.P, ray)); // from a light to the point
-  CHECK(ray.far * ray.direction.z + ray.origin.z < 1000 - 0.5f * start.offset);
-  REQUIRE(shadowRay(start, start.P, {5, 5, 0}, ray));
-  CHECK(ray.origin.z < 1000);
-  CHECK_FALSE(shadowRay(start, {1, 1, 1}, {1, 1, 1}, ray));
-  CHECK_FALSE(traceRay(start, {1, 1, 1}, {}, 0, ray));
-  CHECK_FALSE(traceRay(start, {1, 1, 1}, {NAN, 0, 0}, 0, ray));
+TEST_CASE("rays that shaders ask for, one or sixteen at once", "[geometry]") {
+  Arena arena;
+  RayStarts starts(arena, 16);
+  for (size_t i = 0; i < 16; ++i) {
+    SurfacePoint point;
+    point.frame.P = {0, 0, 1000.0 + double(i)};
+    point.frame.normal = {0, 0, -1};
+    point.offset = 1000 * 0x1p-18f;
+    starts.set(i, point);
+  }
+  float here[48], light[48];
+  for (int i = 0; i < 16; ++i) {
+    here[i] = here[16 + i] = 0;
+    here[32 + i] = 1000.0f + float(i);
+    light[i] = float(i + 1);
+    light[16 + i] = 5;
+    light[32 + i] = 0;
+  }
+  AskedRays rays;
+  makeShadowRays(starts, 0, 16, light, here, rays); // from a light to the point
+  for (uint32_t i = 0; i < 16; ++i) {
+    Ray ray = rays.ray(i, 0);
+    CHECK(rays.valid[i]);
+    CHECK(ray.far * ray.direction.z + ray.origin.z < here[32 + i] - 0.5f * starts.offset[i]);
+  }
+  makeShadowRays(starts, 0, 16, here, light, rays);
+  for (uint32_t i = 0; i < 16; ++i) {
+    CHECK(rays.origin[2][i] < here[32 + i]); // on the side that the light is on
+    AskedRays single;
+    float from[3] = {here[i], here[16 + i], here[32 + i]}, to[3] = {light[i], light[16 + i], light[32 + i]};
+    makeShadowRays(starts, i, 1, from, to, single);
+    CHECK(single.ray(0, 0).origin == rays.ray(i, 0).origin);
+    CHECK(single.ray(0, 0).direction == rays.ray(i, 0).direction);
+    CHECK(single.far[0] == rays.far[i]);
+  }
+  makeShadowRays(starts, 0, 16, light, light, rays);
+  CHECK_FALSE(rays.valid[3]);
+
+  float directions[48] = {};
+  directions[0] = 1e30f;                       // long
+  directions[1] = 1e-30f;                      // short
+  directions[2] = NAN;                         // none, as all that follow
+  makeTraceRays(starts, 0, 16, light, directions, rays);
+  CHECK(rays.valid[0]);
+  CHECK(rays.ray(0, 0).direction == Vec3f(1, 0, 0));
+  CHECK(rays.ray(0, 0).origin == Vec3f(1, 5, 0)); // no shader's point: not moved
+  CHECK(rays.ray(1, 0).direction == Vec3f(1, 0, 0));
+  for (uint32_t i = 2; i < 16; ++i)
+    CHECK_FALSE(rays.valid[i]);
 }
