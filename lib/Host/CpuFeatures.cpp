@@ -7,6 +7,7 @@
 
 #include "lib/Host/Internal.h"
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -31,31 +32,59 @@ constexpr Feature features[] = {
 #include "lib/Host/CpuFeatures.def"
 };
 
-uint64_t savedState() {
-  unsigned registers[4];
-  constexpr unsigned osxsave = 1u << 27;
-  if (!__get_cpuid(1, &registers[Eax], &registers[Ebx], &registers[Ecx], &registers[Edx]) ||
-      !(registers[Ecx] & osxsave))
-    return 0;
-  // By hand, since the intrinsic may only be used in code compiled for processors that have it.
-  uint32_t low, high;
-  __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
-  return uint64_t(high) << 32 | low;
-}
+/// What CPUID says, asked once: under a hypervisor every question takes microseconds.
+class Processor {
+public:
+  Processor() {
+    for (const Feature &feature : features)
+      if (!find(feature))
+        ask(feature);
+    constexpr unsigned osxsave = 1u << 27;
+    if (!(leaves[0].registers[Ecx] & osxsave)) // the table begins with leaf 1
+      return;
+    // By hand, since the intrinsic may only be used in code compiled for processors that have it.
+    uint32_t low, high;
+    __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+    savedState = uint64_t(high) << 32 | low;
+  }
 
-bool has(const Feature &feature, uint64_t saved) {
-  unsigned registers[4];
-  if (!__get_cpuid_count(feature.leaf, feature.subleaf, &registers[Eax], &registers[Ebx],
-                         &registers[Ecx], &registers[Edx]))
+  bool has(std::string_view name) const {
+    for (const Feature &feature : features)
+      if (feature.name == name)
+        return (find(feature)->registers[feature.in] >> feature.bit & 1) &&
+               (savedState & feature.state) == feature.state;
     return false;
-  return (registers[feature.in] >> feature.bit & 1) && (saved & feature.state) == feature.state;
-}
+  }
+
+private:
+  struct Leaf {
+    uint32_t leaf, subleaf;
+    unsigned registers[4];
+  };
+
+  const Leaf *find(const Feature &feature) const {
+    for (unsigned i = 0; i < count; ++i)
+      if (leaves[i].leaf == feature.leaf && leaves[i].subleaf == feature.subleaf)
+        return &leaves[i];
+    return nullptr;
+  }
+
+  void ask(const Feature &feature) {
+    Leaf &added = leaves[count++];
+    added = {feature.leaf, feature.subleaf, {}};
+    unsigned *r = added.registers;
+    if (!__get_cpuid_count(feature.leaf, feature.subleaf, &r[Eax], &r[Ebx], &r[Ecx], &r[Edx]))
+      std::fill_n(r, 4, 0);
+  }
+
+  Leaf leaves[std::size(features)];
+  unsigned count = 0;
+  uint64_t savedState = 0;
+};
 
 bool has(std::string_view name) {
-  for (const Feature &feature : features)
-    if (feature.name == name)
-      return has(feature, savedState());
-  return false;
+  static const Processor processor;
+  return processor.has(name);
 }
 
 } // namespace
