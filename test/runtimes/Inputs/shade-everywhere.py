@@ -8,6 +8,7 @@ The shader's comments say what to do:
     // ARGS: --grid 9x5 --light point      options for anysl-shade
     // PARAM: --param name.k=2             options for anysl-link
     // PRINT: a b Ci                       what to compare (globals, output parameters); else Ci
+    // REALS: float                        only these, where the numbers depend on the format
     // EXPECT a: 0.5 0.25 1                what `a` is at every point (a number, or components)
 
 Within a runtime and real, all widths give the same bits. Between runtimes, and between float and double, numbers
@@ -61,10 +62,13 @@ expected = {name: [float(x) for x in values.split()] for name, values in re.find
 names = [word for line in re.findall(r"// PRINT: (.*)", text) for word in line.split()]
 names += [name for name in expected if name not in names]
 names = names or ["Ci"]
+reals = re.findall(r"// REALS: (.*)", text)
 
 run("rslc", shader, "-o", f"{prefix}.stc.bc")
 reference = None
 for runtime, real in RUNTIMES:
+    if reals and real not in reals[0].split():
+        continue
     library = f"{prefix}.{runtime}.{real}.so"
     run("anysl-link", f"{prefix}.stc.bc", "-o", library, "--runtime", runtime, "--real", real,
         "--width", ",".join(map(str, WIDTHS)), *parameters)
