@@ -62,37 +62,82 @@ std::unique_ptr<Module> parse(MemoryBufferRef buffer, LLVMContext &context, Pars
   return module;
 }
 
-/// Whether parsing and verifying comes to an end, with whatever result. Tried in a child process.
-bool parsesWithoutCrash(MemoryBufferRef buffer) {
-  pid_t child = fork();
-  if (child < 0)
-    return true; // No process to be had: the check is lost, not the file.
-  if (child == 0) {
-    // Whatever happens happens silently, and neither for long nor with all of the memory.
-    int null = open("/dev/null", O_WRONLY);
-    dup2(null, STDOUT_FILENO);
-    dup2(null, STDERR_FILENO);
-    for (int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE, SIGTRAP, SIGALRM})
-      signal(number, SIG_DFL);
-    rlimit none{0, 0};
-    setrlimit(RLIMIT_CORE, &none);
+/// What became of parsing in a child process.
+enum class Trial { Good, Refused, Crashed };
+
+/// In the child: parses and verifies, tells the parent what is wrong, and ends.
+[[noreturn]] void tryInChild(MemoryBufferRef buffer, int answer) {
+  // Whatever happens happens silently, and neither for long nor with all of the memory.
+  int null = open("/dev/null", O_WRONLY);
+  dup2(null, STDOUT_FILENO);
+  dup2(null, STDERR_FILENO);
+  for (int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE, SIGTRAP, SIGALRM})
+    signal(number, SIG_DFL);
+  rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);
 #if !__has_feature(address_sanitizer)
-    rlimit memory{rlim_t(4) << 30, rlim_t(4) << 30};
-    setrlimit(RLIMIT_AS, &memory);
+  rlimit memory{rlim_t(4) << 30, rlim_t(4) << 30};
+  setrlimit(RLIMIT_AS, &memory);
 #endif
-    alarm(20);
-    {
-      LLVMContext context;
-      ParseError error;
-      if (auto module = parse(buffer, context, error))
-        verify(*module);
-    }
+  alarm(20);
+
+  LLVMContext context;
+  ParseError error;
+  std::unique_ptr<Module> module = parse(buffer, context, error);
+  if (module) {
+    verify(*module);
     _exit(0);
   }
+  raw_fd_ostream out(answer, /*shouldClose=*/true);
+  out << error.position.line << ' ' << error.position.column << ' ' << error.message;
+  out.close();
+  out.clear_error();
+  _exit(1);
+}
+
+/// Reads all that comes through a pipe, and closes it.
+std::string readAll(int pipe) {
+  std::string text;
+  char piece[256];
+  for (;;) {
+    ssize_t count = read(pipe, piece, sizeof piece);
+    if (count > 0)
+      text.append(piece, size_t(count));
+    else if (count == 0 || errno != EINTR)
+      break;
+  }
+  close(pipe);
+  return text;
+}
+
+/// Parses and verifies in a child process. `error` is set if the contents are refused there.
+Trial tryParsing(MemoryBufferRef buffer, ParseError &error) {
+  int ends[2];
+  if (pipe(ends) != 0)
+    return Trial::Good; // No pipe or process to be had: the check is lost, not the file.
+  pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    tryInChild(buffer, ends[1]);
+  }
+  close(ends[1]);
+  std::string answer = readAll(ends[0]);
+  if (child < 0)
+    return Trial::Good;
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR)
     ;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (!WIFEXITED(status))
+    return Trial::Crashed;
+  if (WEXITSTATUS(status) == 0)
+    return Trial::Good;
+  StringRef rest = answer;
+  error.position.file = buffer.getBufferIdentifier().str();
+  if (rest.consumeInteger(10, error.position.line) || !rest.consume_front(" ") ||
+      rest.consumeInteger(10, error.position.column) || !rest.consume_front(" "))
+    return Trial::Crashed;
+  error.message = rest.str();
+  return Trial::Refused;
 }
 
 } // namespace
@@ -114,10 +159,16 @@ std::optional<StcModule> readBuffer(DiagnosticEngine &diags, LLVMContext &contex
   Checksum checksum = checkChecksum(buffer.getBuffer());
   if (checksum == Checksum::Wrong)
     return refuse({}, "damaged bitcode: the contents do not match their checksum");
-  if (checksum == Checksum::None && !parsesWithoutCrash(buffer))
-    return refuse({}, "damaged bitcode: LLVM cannot read it");
-
   ParseError error;
+  if (checksum == Checksum::None)
+    switch (tryParsing(buffer, error)) {
+    case Trial::Good:
+      break;
+    case Trial::Refused:
+      return refuse(error.position, error.message);
+    case Trial::Crashed:
+      return refuse({}, "damaged bitcode: LLVM cannot read it");
+    }
   std::unique_ptr<Module> module = parse(buffer, context, error);
   if (!module)
     return refuse(error.position, error.message);
