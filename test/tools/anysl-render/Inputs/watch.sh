@@ -3,7 +3,7 @@ anysl-render s.rib --watch --cache cache 2> log &
 watcher=$!
 trap 'kill $watcher' EXIT
 await() { for _ in $(seq 600); do eval "$1" > /dev/null 2>&1 && return; sleep 0.1; done; echo "timeout: $1"; cat log; exit 1; }
-pixel() { oiiotool s.png --dumpdata | grep Pixel; }
+pixel() { oiiotool --dumpdata s.png | grep Pixel; }
 
 await 'grep s.png: log'
 echo "first: $(pixel)"
