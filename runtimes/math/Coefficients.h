@@ -107,11 +107,6 @@ inline constexpr double AtanhTail64[7] = {
     0x1.24924924927ccp-3, 0x1.c71c71c65a486p-4, 0x1.745d17d73ca71p-4, 0x1.3b13784084830p-4,
     0x1.111dcc469d25ap-4, 0x1.de9ee631486a2p-5, 0x1.e7dc5d1a81566p-5,
 };
-/// asin r = r + r z P(z), |r| <= 1/2. Error 2^-27.6.
-inline constexpr double AsinU10[5] = {
-    0x1.5555c8828f756p-3, 0x1.3301e3dd2034cp-4, 0x1.747e1c298ca73p-5,
-    0x1.8c2c10f60df69p-6, 0x1.59689552ec9e1p-5,
-};
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-55.9.
 inline constexpr double AsinCr[12] = {
     0x1.5555555555391p-3, 0x1.333333336e6c1p-4, 0x1.6db6db4284e80p-5,  0x1.f1c72c3616317p-6,
@@ -249,6 +244,11 @@ inline constexpr float InverseCbrtFast[3] = {
 inline constexpr float ExpFloat[5] = {
     0x1.fffffc0000000p-2f, 0x1.5554940000000p-3f,  0x1.5558be0000000p-5f,
     0x1.12385a0000000p-7f, 0x1.6a3d320000000p-10f,
+};
+/// 2^f = 1 + f log 2 + f^2 P(f), |f| <= 1/2. Error 2^-28.3.
+inline constexpr float Exp2Float[5] = {
+    0x1.ebfbdc0000000p-3f,  0x1.c6af8a0000000p-5f,  0x1.3b2dec0000000p-7f,
+    0x1.5f03020000000p-10f, 0x1.415e360000000p-13f,
 };
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-27.6.
 inline constexpr float AsinFloat[5] = {

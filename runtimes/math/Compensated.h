@@ -22,21 +22,16 @@ namespace anysl::tier {
 /// x without the lower half of its significand.
 ANYSL_TIER float upperBits(float x) { return fromBits(bitsOf(x) & 0xfffff000u); }
 
-/// The sum high + low as 1 + high + high²·P + low, times 2^n.
-ANYSL_TIER float expCompensated(float high, float low, UInt32 bits) {
-  float tail = high * high * horner(ExpFloat, high) + low;
-  return scaleBy(1 + (high + tail), bits);
-}
-
 ANYSL_TIER float expInFloatOnly(float x) {
   if (__builtin_expect(!(magnitude(x) < 87), 0))
     return expInDouble<ShortPolynomials>(x);
   float t = x * 0x1.715476p+0f + RoundShiftF;
   float n = t - RoundShiftF;
-  // n·high is exact: high has 15 bits.
+  // x = n·log 2 + a − b. n·high is exact, since high has 15 bits, and so is a.
   float a = x - n * 0x1.62e4p-1f, b = n * 0x1.7f7d1cp-20f;
   float r = a - b;
-  return expCompensated(r, (a - r) - b, bitsOf(t));
+  float tail = r * r * horner(ExpFloat, r) - b;
+  return scaleBy(1 + (a + tail), bitsOf(t));
 }
 
 ANYSL_TIER float exp2InFloatOnly(float x) {
@@ -44,11 +39,11 @@ ANYSL_TIER float exp2InFloatOnly(float x) {
     return exp2InDouble<ShortPolynomials>(x);
   float t = x + RoundShiftF;
   float f = x - (t - RoundShiftF);
-  // f·log 2 as a sum, from parts of 12 bits.
-  float fh = upperBits(f), fl = f - fh;
-  float a = fh * 0x1.62ep-1f, b = fl * 0x1.62ep-1f + f * 0x1.0bfbe8p-15f;
-  float r = a + b;
-  return expCompensated(r, (a - r) + b, bitsOf(t));
+  // f·log 2 = a + b, of which a is an exact product of factors of 12 bits.
+  float upper = upperBits(f), lower = f - upper;
+  float a = upper * 0x1.62ep-1f, b = lower * 0x1.62ep-1f + f * 0x1.0bfbe8p-15f;
+  float tail = f * f * horner(Exp2Float, f) + b;
+  return scaleBy(1 + (a + tail), bitsOf(t));
 }
 
 /// log(1+f) = f + this; only the rounding of f² counts.

@@ -34,7 +34,6 @@ struct ShortPolynomials {
   static constexpr auto &cos = CosU10;
   static constexpr auto &exp2 = Exp2U10;
   static constexpr auto &expm1 = Expm1U10;
-  static constexpr auto &asin = AsinU10;
   static constexpr auto &atan = AtanU10;
   static constexpr auto &inverseCbrt = InverseCbrtU10;
   struct Pi {

@@ -159,8 +159,7 @@ def table():
     for q, n in (('Fast', 2), ('Pow', 4), ('Cr', 7)):
         add(f'Atanh{q}', D, n, atanhP, atanhW, Z, smax, 'atanh s = s + s z P(z), the same range')
     add('AtanhTail64', D, 7, atanhTail, atanhTailW, mpf(10) ** -8, smax, 'atanh s = s (1 + z/3 + z^2/5 + z^3 P(z))')
-    for q, n in (('U10', 5), ('Cr', 12)):
-        add(f'Asin{q}', D, n, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
+    add('AsinCr', D, 12, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
     for q, n in (('U10', 5), ('Cr', 11)):
         add(f'Atan{q}', D, n, atanP, atanW, Z, at8, 'atan t = t + t z P(z), |t| <= tan(pi/8)')
     for q, n in (('U10', 5), ('Cr', 6)):
@@ -182,6 +181,8 @@ def table():
         add(f'InverseCbrt{q}', F, cbrtN, icbrt, icbrtW, mpf(1), mpf(2), 'm^(-1/3), m in [1, 2]')
     # In float, without: u10.
     add('ExpFloat', F, 5, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
+    exp2P2 = lambda f: expP(f * log(2)) * log(2) ** 2
+    add('Exp2Float', F, 5, exp2P2, lambda f: f * f / mpf(2) ** f, -half, half, '2^f = 1 + f log 2 + f^2 P(f), |f| <= 1/2')
     add('AsinFloat', F, 5, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
     add('LogFloat', F, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f)')
     return out
