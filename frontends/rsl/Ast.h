@@ -4,11 +4,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
-
 //
-// The parser makes the tree; Sema gives names their declarations, expressions their types, and makes
-// implicit conversions explicit; lowering reads it. Nodes live in an Ast's arena, are never freed one by
-// one, and hold nothing that would need a destructor. llvm::isa, cast and dyn_cast work on them.
+// The parser makes the tree; Sema gives names their declarations, expressions their types, and
+// makes implicit conversions explicit; lowering reads it. Nodes live in an Ast's arena, are never
+// freed one by one, and hold nothing that would need a destructor. llvm::isa, cast and dyn_cast
+// work on them.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -36,19 +36,32 @@ using llvm::StringRef;
 //===-- Expressions -----------------------------------------------------------------------------//
 
 enum class ExprKind : uint8_t {
-  Number, String, Name, Index, Negate, Not, Binary, Conditional, Assign, Tuple, Cast, Call, List, Comma,
+  Number,
+  String,
+  Name,
+  Index,
+  Negate,
+  Not,
+  Binary,
+  Conditional,
+  Assign,
+  Tuple,
+  Cast,
+  Call,
+  List,
+  Comma,
   Opaque
 };
 
 struct Expr {
   const ExprKind kind;
-  bool hasEffects = false;  ///< assigns something, in itself or below
-  bool isProbed = false;    ///< `probed` is valid
-  SMLoc loc;                ///< what a message about it points at
-  SMRange range;            ///< all of its text
-  Type type;                ///< set by Sema
-  Type probed;              ///< Sema's guess before the context is known; Error: depends on it
-  unsigned depth = 1;       ///< of the tree below, itself included
+  bool hasEffects = false; ///< assigns something, in itself or below
+  bool isProbed = false;   ///< `probed` is valid
+  SMLoc loc;               ///< what a message about it points at
+  SMRange range;           ///< all of its text
+  Type type;               ///< set by Sema
+  Type probed;             ///< Sema's guess before the context is known; Error: depends on it
+  unsigned depth = 1;      ///< of the tree below, itself included
 
 protected:
   Expr(ExprKind kind, SMLoc loc, SMRange range) : kind(kind), loc(loc), range(range) {}
@@ -99,8 +112,20 @@ struct NotExpr : Expr {
 };
 
 enum class BinaryOp : uint8_t {
-  Add, Subtract, Multiply, Divide, Dot, Cross, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual,
-  And, Or
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Dot,
+  Cross,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Equal,
+  NotEqual,
+  And,
+  Or
 };
 StringRef spelling(BinaryOp op);
 inline bool isComparison(BinaryOp op) { return op >= BinaryOp::Less && op <= BinaryOp::NotEqual; }
@@ -140,7 +165,8 @@ struct AssignExpr : Expr {
   AssignExpr(SMLoc loc, SMRange range, Expr *target, Expr *value)
       : Expr(ExprKind::Assign, loc, range), target(target), value(value), isCompound(false) {}
   AssignExpr(SMLoc loc, SMRange range, BinaryOp op, Expr *target, Expr *value)
-      : Expr(ExprKind::Assign, loc, range), target(target), value(value), isCompound(true), op(op) {}
+      : Expr(ExprKind::Assign, loc, range), target(target), value(value), isCompound(true), op(op) {
+  }
   static bool classof(const Expr *e) { return e->kind == ExprKind::Assign; }
 };
 
@@ -192,7 +218,8 @@ struct CallExpr : Expr {
   CallForm form = CallForm::Function;
   SplineBasis basis = SplineBasis::CatmullRom;
   CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
-      : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {}
+      : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {
+  }
   static bool classof(const Expr *e) { return e->kind == ExprKind::Call; }
 };
 
@@ -215,8 +242,21 @@ struct CommaExpr : Expr {
 //===-- Statements ------------------------------------------------------------------------------//
 
 enum class StmtKind : uint8_t {
-  Empty, Block, Declaration, Expression, If, While, For, Break, Continue, Return, Illuminance,
-  Illuminate, Solar, Function, Extern
+  Empty,
+  Block,
+  Declaration,
+  Expression,
+  If,
+  While,
+  For,
+  Break,
+  Continue,
+  Return,
+  Illuminance,
+  Illuminate,
+  Solar,
+  Function,
+  Extern
 };
 
 struct Stmt {
@@ -323,8 +363,8 @@ enum class VarKind : uint8_t { Global, ShaderParam, FunctionParam, Local };
 struct VarDecl {
   VarKind kind;
   StringRef name;
-  SMRange range; ///< of the name; invalid for a global
-  Type type;     ///< the length of an array: see `length`
+  SMRange range;          ///< of the name; invalid for a global
+  Type type;              ///< the length of an array: see `length`
   Expr *length = nullptr; ///< the expression in [], null if none
   Expr *init = nullptr;
   FunctionDecl *owner = nullptr; ///< the function whose parameter or local it is
@@ -333,7 +373,7 @@ struct VarDecl {
   bool hasStorage = false; ///< `uniform` or `varying` was written
   bool isRead = false;
   bool isAssigned = false;
-  bool isCopied = false;    ///< a function's parameter that its body assigns without `output`
+  bool isCopied = false;      ///< a function's parameter that its body assigns without `output`
   bool defaultVaries = false; ///< ShaderParam whose default differs from point to point
 };
 
@@ -344,11 +384,11 @@ struct FunctionDecl {
   bool resultHasStorage = false;
   ArrayRef<VarDecl *> params;
   BlockStmt *body = nullptr;
-  FunctionDecl *outer = nullptr;   ///< the function that it is nested in
+  FunctionDecl *outer = nullptr;    ///< the function that it is nested in
   const Builtin *defines = nullptr; ///< in a library: the built-in whose operator it is
   bool isBeingChecked = false;
-  bool isVarying = false;   ///< gives varying values whatever its arguments are
-  bool usesOuter = false;   ///< names a variable that is not its own
+  bool isVarying = false; ///< gives varying values whatever its arguments are
+  bool usesOuter = false; ///< names a variable that is not its own
   bool isUsed = false;
 };
 
@@ -366,11 +406,13 @@ struct ShaderDecl {
 /// One file's declarations, and the memory of all its nodes.
 class Ast {
 public:
-  template <typename T, typename... Args> T *make(Args &&...args) {
+  template <typename T, typename... Args>
+  T *make(Args &&...args) {
     static_assert(std::is_trivially_destructible_v<T>);
     return new (arena.Allocate<T>()) T{std::forward<Args>(args)...};
   }
-  template <typename T> llvm::MutableArrayRef<T> copy(ArrayRef<T> values) {
+  template <typename T>
+  llvm::MutableArrayRef<T> copy(ArrayRef<T> values) {
     T *data = arena.Allocate<T>(values.size());
     std::uninitialized_copy(values.begin(), values.end(), data);
     return {data, values.size()};

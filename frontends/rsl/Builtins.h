@@ -18,7 +18,18 @@ namespace anysl::rsl {
 
 /// Where an operand of the operator comes from, as Builtins.def explains.
 struct BuiltinOperand {
-  enum Source : uint8_t { In, Out, InOut, Global, Number, Text, Discard, Light, SpaceTo, SpaceFromTo };
+  enum Source : uint8_t {
+    In,
+    Out,
+    InOut,
+    Global,
+    Number,
+    Text,
+    Discard,
+    Light,
+    SpaceTo,
+    SpaceFromTo
+  };
   Source source = In;
   TypeKind type = TypeKind::Float; ///< In, Out, InOut
   int global = -1;                 ///< Global: as in Globals.def

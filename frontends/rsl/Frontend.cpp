@@ -30,7 +30,8 @@ FrontendResult compile(StringRef path, const FrontendOptions &options, Diagnosti
   Ast ast;
   Parser(std::move(tokens), ast, diags).parseFile();
   Sema(ast, diags, {options.isLibrary}).check();
-  // From here on the tree is correct: lowering has nothing to complain about but a library's operators.
+  // From here on the tree is correct: lowering has nothing to complain about but a library's
+  // operators.
   if (!diags.hasErrors() && ast.shaders.empty() && !options.isLibrary && !options.syntaxOnly)
     diags.error(FilePosition{path.str()}, "the file contains no shader");
   if (diags.hasErrors() || options.syntaxOnly)
@@ -41,8 +42,9 @@ FrontendResult compile(StringRef path, const FrontendOptions &options, Diagnosti
     return result;
   std::vector<stc::Problem> problems = stc::verify(*result.module);
   if (!problems.empty())
-    reportInternalError("the front end wrote code that breaks the rules: " + problems[0].position.file +
-                        ":" + Twine(problems[0].position.line) + ": " + problems[0].message);
+    reportInternalError(
+        "the front end wrote code that breaks the rules: " + problems[0].position.file + ":" +
+        Twine(problems[0].position.line) + ": " + problems[0].message);
   return result;
 }
 

@@ -22,8 +22,8 @@ struct FrontendOptions {
   PreprocessorOptions preprocessor;
   /// What the file is taken to contain, instead of reading it.
   std::optional<llvm::StringRef> text;
-  bool isLibrary = false;   ///< functions define operators
-  bool syntaxOnly = false;  ///< stop after checking; a file need not contain a shader
+  bool isLibrary = false;  ///< functions define operators
+  bool syntaxOnly = false; ///< stop after checking; a file need not contain a shader
 };
 
 struct FrontendResult {
@@ -33,10 +33,10 @@ struct FrontendResult {
   std::vector<std::string> dependencies;
 };
 
-/// The whole front end: characters to words, words to a tree, names and types, STC. Every problem of the
-/// shader is reported to \p diags; a module that the verifier refuses is an internal error.
-FrontendResult compile(llvm::StringRef path, const FrontendOptions &options, DiagnosticEngine &diags,
-                       llvm::LLVMContext &context);
+/// The whole front end: characters to words, words to a tree, names and types, STC. Every problem
+/// of the shader is reported to \p diags; a module that the verifier refuses is an internal error.
+FrontendResult compile(llvm::StringRef path, const FrontendOptions &options,
+                       DiagnosticEngine &diags, llvm::LLVMContext &context);
 
 } // namespace anysl::rsl
 

@@ -56,7 +56,8 @@ bool Lexer::skipSplices() {
   return any;
 }
 
-/// Skips white space and comments; stops at a newline inside a directive. Returns whether there was any.
+/// Skips white space and comments; stops at a newline inside a directive. Returns whether there was
+/// any.
 bool Lexer::skipBlanks() {
   const char *begin = cursor;
   while (cursor < end) {

@@ -14,12 +14,12 @@
 
 namespace anysl::rsl {
 
-/// Cuts one buffer into words. White space, comments and spliced lines disappear; keywords are still
-/// identifiers, because macros may be named like them. The text need not end with a newline.
+/// Cuts one buffer into words. White space, comments and spliced lines disappear; keywords are
+/// still identifiers, because macros may be named like them. The text need not end with a newline.
 class Lexer {
 public:
-  /// \p text must be followed by a zero byte, as a MemoryBuffer's is. \p saver keeps the spelling of
-  /// words that a line splice cuts.
+  /// \p text must be followed by a zero byte, as a MemoryBuffer's is. \p saver keeps the spelling
+  /// of words that a line splice cuts.
   Lexer(llvm::StringRef text, DiagnosticEngine &diags, llvm::StringSaver &saver)
       : cursor(text.begin()), end(text.end()), diags(diags), saver(saver) {}
 

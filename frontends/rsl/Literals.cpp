@@ -51,7 +51,8 @@ bool parseNumber(StringRef text, double &value) {
   }
   if (text.ends_with_insensitive("f"))
     text = text.drop_back();
-  // getAsDouble takes overflow for an error only on request; an infinite constant is not what is meant.
+  // getAsDouble takes overflow for an error only on request; an infinite constant is not what is
+  // meant.
   return !text.getAsDouble(value, /*AllowInexact=*/true);
 }
 

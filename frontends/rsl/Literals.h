@@ -13,9 +13,9 @@
 
 namespace anysl::rsl {
 
-/// The characters that a quoted string stands for. \n \t \r \b \f \v \a \\ \" and octal \ooo are known; any
-/// other escaped character stands for itself. An escaped NUL and all behind it is left out, because
-/// texts end there.
+/// The characters that a quoted string stands for. \n \t \r \b \f \v \a \\ \" and octal \ooo are
+/// known; any other escaped character stands for itself. An escaped NUL and all behind it is left
+/// out, because texts end there.
 std::string unquote(llvm::StringRef quoted);
 
 /// The value of a number's spelling; false if it is none.

@@ -64,10 +64,9 @@ Value *Lowering::paramSlot(const VarDecl &param) {
   bool isFirst = !slots.count(&param);
   if (initOf || isFirst) {
     stc::Type type = lowered(param.type.kind);
-    slots[&param] =
-        param.type.isArray()
-            ? b.allocArray(type, unsigned(param.type.length), param.name, storage(param.type))
-            : b.alloc(type, param.name, storage(param.type));
+    slots[&param] = param.type.isArray() ? b.allocArray(type, unsigned(param.type.length),
+                                                        param.name, storage(param.type))
+                                         : b.alloc(type, param.name, storage(param.type));
   }
   Value *slot = slots[&param];
   if (initOf)
@@ -92,10 +91,9 @@ Value *Lowering::slotOf(const VarDecl &decl) {
 }
 
 void Lowering::loadUniformParam(const stc::ParamInfo &info, Value *slot) {
-  static constexpr Op loads[] = {Op::load_param_float,  Op::load_param_color,
-                                 Op::load_param_vector, Op::load_param_vector,
-                                 Op::load_param_vector, Op::load_param_matrix,
-                                 Op::load_param_string};
+  static constexpr Op loads[] = {
+      Op::load_param_float,  Op::load_param_color,  Op::load_param_vector, Op::load_param_vector,
+      Op::load_param_vector, Op::load_param_matrix, Op::load_param_string};
   Op load = loads[unsigned(info.type) - 1];
   unsigned components = stc::info(info.type).components;
   for (unsigned i = 0; i < info.elementCount(); ++i)
@@ -103,8 +101,8 @@ void Lowering::loadUniformParam(const stc::ParamInfo &info, Value *slot) {
                   b.id(info.firstCell + i * components)});
 }
 
-/// A varying parameter comes point by point where the host has bound it, else from its cells, or from a
-/// default that differs from point to point.
+/// A varying parameter comes point by point where the host has bound it, else from its cells, or
+/// from a default that differs from point to point.
 void Lowering::loadParam(const VarDecl &param, const stc::ParamInfo &info, Value *slot) {
   if (info.storage == stc::Storage::Uniform)
     return loadUniformParam(info, slot);
@@ -186,8 +184,8 @@ void Lowering::beginBody() {
   continueIn(bodyBlock);
 }
 
-/// Whether some way through the function may look at a slot's value before giving it one. A look-out that
-/// is an operator's own pointer argument counts as written by the caller.
+/// Whether some way through the function may look at a slot's value before giving it one. A
+/// look-out that is an operator's own pointer argument counts as written by the caller.
 bool Lowering::mayReadBeforeWrite(Value *slot) {
   SmallPtrSet<BasicBlock *, 32> seen;
   SmallVector<BasicBlock *, 16> open{bodyBlock};
@@ -311,9 +309,8 @@ void Lowering::lowerInit(const ShaderDecl &shader, stc::ShaderInfo &info) {
     at(param->range.Start);
     unsigned components = stc::info(entry.type).components;
     for (unsigned i = 0; i < entry.elementCount(); ++i)
-      b.call(stores[unsigned(entry.type) - 1],
-             {b.context(), b.id(entry.firstCell + i * components),
-              entry.arrayLength ? elementOf(value, i) : value});
+      b.call(stores[unsigned(entry.type) - 1], {b.context(), b.id(entry.firstCell + i * components),
+                                                entry.arrayLength ? elementOf(value, i) : value});
     branchTo(next);
     continueIn(next);
   }
@@ -335,8 +332,8 @@ void Lowering::lowerInit(const ShaderDecl &shader, stc::ShaderInfo &info) {
 
 //===-- The shading library ---------------------------------------------------------------------//
 
-/// The operator's pointer arguments are the function's variables, except those that the body assigns:
-/// they are written back at the end, so that a caller may hand over one slot twice.
+/// The operator's pointer arguments are the function's variables, except those that the body
+/// assigns: they are written back at the end, so that a caller may hand over one slot twice.
 void Lowering::lowerLibraryFunction(const FunctionDecl &function) {
   const Builtin &builtin = *function.defines;
   const stc::OpInfo &op = stc::info(builtin.op);

@@ -18,7 +18,8 @@ bool Lowering::hasContext(SMLoc loc) {
   if (b.context())
     return true;
   diags.error(loc, "this needs the shading context, which operator '" +
-                       b.function()->getName().drop_front(stc::opPrefix.size()) + "' does not have");
+                       b.function()->getName().drop_front(stc::opPrefix.size()) +
+                       "' does not have");
   return false;
 }
 
@@ -121,7 +122,7 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
   }
   at(call.loc);
   if (op.takesContext() && !hasContext(call.loc))
-    return call.type.is(TypeKind::Bool) ? b.ir().getFalse()
+    return call.type.is(TypeKind::Bool)   ? b.ir().getFalse()
            : call.type.is(TypeKind::Void) ? nullptr
                                           : temporary(call.type);
   bool hasResult = builtin.result != TypeKind::Void && builtin.result != TypeKind::Bool;
@@ -265,10 +266,11 @@ Value *Lowering::callFunction(const CallExpr &call) {
   branchTo(end);
   continueIn(end);
   for (const Output &output : outputs)
-    store(output.target, convert(output.slot, output.param->type.isArray()
-                                                  ? output.param->type
-                                                  : output.param->type.withVarying(true),
-                                 output.to));
+    store(output.target,
+          convert(output.slot,
+                  output.param->type.isArray() ? output.param->type
+                                               : output.param->type.withVarying(true),
+                  output.to));
   return result;
 }
 

@@ -17,12 +17,16 @@ using stc::Op;
 
 Op Lowering::opFor(TypeKind kind, Op onFloat, Op onColor, Op onVector) {
   switch (kind) {
-  case TypeKind::Float: return onFloat;
-  case TypeKind::Color: return onColor;
+  case TypeKind::Float:
+    return onFloat;
+  case TypeKind::Color:
+    return onColor;
   case TypeKind::Point:
   case TypeKind::Vector:
-  case TypeKind::Normal: return onVector;
-  default: llvm_unreachable("the operator has no form for this type");
+  case TypeKind::Normal:
+    return onVector;
+  default:
+    llvm_unreachable("the operator has no form for this type");
   }
 }
 
@@ -41,10 +45,10 @@ void Lowering::copy(Type type, Value *to, Value *from) {
       copy(type.element(), elementOf(to, i), elementOf(from, i));
     return;
   }
-  Op op = type.kind == TypeKind::Matrix   ? Op::copy_matrix
-          : type.kind == TypeKind::String ? Op::copy_string
-                                          : opFor(type.kind, Op::copy_float, Op::copy_color,
-                                                  Op::copy_vector);
+  Op op = type.kind == TypeKind::Matrix ? Op::copy_matrix
+          : type.kind == TypeKind::String
+              ? Op::copy_string
+              : opFor(type.kind, Op::copy_float, Op::copy_color, Op::copy_vector);
   b.call(op, {to, from});
 }
 
@@ -139,7 +143,8 @@ void Lowering::store(const Place &place, Value *value) {
 
 /// The slot of an expression's value, which may be a variable's own.
 Value *Lowering::lower(const Expr *expr) {
-  // Only an expression that is a statement can still be a condition here: Sema has made numbers of all others.
+  // Only an expression that is a statement can still be a condition here: Sema has made numbers of
+  // all others.
   if (expr->type.is(TypeKind::Bool)) {
     lowerCondition(expr);
     return nullptr;
@@ -249,10 +254,18 @@ Value *Lowering::lowerCondition(const Expr *expr) {
   TypeKind kind = binary->left->type.kind;
   Op op = Op::lt_float;
   switch (binary->op) {
-  case BinaryOp::Less: op = Op::lt_float; break;
-  case BinaryOp::LessEqual: op = Op::le_float; break;
-  case BinaryOp::Greater: op = Op::gt_float; break;
-  case BinaryOp::GreaterEqual: op = Op::ge_float; break;
+  case BinaryOp::Less:
+    op = Op::lt_float;
+    break;
+  case BinaryOp::LessEqual:
+    op = Op::le_float;
+    break;
+  case BinaryOp::Greater:
+    op = Op::gt_float;
+    break;
+  case BinaryOp::GreaterEqual:
+    op = Op::ge_float;
+    break;
   case BinaryOp::Equal:
     op = kind == TypeKind::Matrix   ? Op::eq_matrix
          : kind == TypeKind::String ? Op::eq_string
@@ -284,9 +297,8 @@ Value *Lowering::lowerBinary(const BinaryExpr &binary) {
       b.call(Op::div_float, {inverse, number(1), right});
       right = inverse;
     }
-    b.call(kind == TypeKind::Matrix
-               ? Op::scale_matrix
-               : opFor(kind, Op::mul_float, Op::scale_color, Op::scale_vector),
+    b.call(kind == TypeKind::Matrix ? Op::scale_matrix
+                                    : opFor(kind, Op::mul_float, Op::scale_color, Op::scale_vector),
            {result, left, right});
     return result;
   }
@@ -305,9 +317,14 @@ Value *Lowering::lowerBinary(const BinaryExpr &binary) {
   case BinaryOp::Divide:
     op = isMatrix ? Op::div_matrix : opFor(kind, Op::div_float, Op::div_color, Op::div_vector);
     break;
-  case BinaryOp::Dot: op = Op::dot; break;
-  case BinaryOp::Cross: op = Op::cross; break;
-  default: llvm_unreachable("conditions are lowered elsewhere");
+  case BinaryOp::Dot:
+    op = Op::dot;
+    break;
+  case BinaryOp::Cross:
+    op = Op::cross;
+    break;
+  default:
+    llvm_unreachable("conditions are lowered elsewhere");
   }
   b.call(op, {result, left, right});
   return result;

@@ -15,15 +15,15 @@ using stc::Op;
 
 namespace {
 
-/// One segment of a curve: knots k0 … k3 have the weights  w[i] = ((m[i][0] t + m[i][1]) t + m[i][2]) t + m[i][3]
-/// for t in [0, 1]; the next segment begins `step` knots later.
+/// One segment of a curve: knots k0 … k3 have the weights  w[i] = ((m[i][0] t + m[i][1]) t +
+/// m[i][2]) t + m[i][3] for t in [0, 1]; the next segment begins `step` knots later.
 struct Basis {
   unsigned step;
   double weights[4][4];
 };
 
-/// The basis matrices of the RenderMan Interface (RiCatmullRomBasis …), a column for each knot. "linear" goes from
-/// the second knot to the last but one, so that it can stand in for Catmull-Rom.
+/// The basis matrices of the RenderMan Interface (RiCatmullRomBasis …), a column for each knot.
+/// "linear" goes from the second knot to the last but one, so that it can stand in for Catmull-Rom.
 const Basis &basisOf(SplineBasis basis) {
   static constexpr Basis catmullRom{
       1, {{-0.5, 1, -0.5, 0}, {1.5, -2.5, 0, 1}, {-1.5, 2, 0.5, 0}, {0.5, -0.5, 0, 0}}};
@@ -38,20 +38,26 @@ const Basis &basisOf(SplineBasis basis) {
   static constexpr Basis power{4, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   static constexpr Basis linear{1, {{0, 0, 0, 0}, {0, 0, -1, 1}, {0, 0, 1, 0}, {0, 0, 0, 0}}};
   switch (basis) {
-  case SplineBasis::CatmullRom: return catmullRom;
-  case SplineBasis::Bezier: return bezier;
-  case SplineBasis::BSpline: return bspline;
-  case SplineBasis::Hermite: return hermite;
-  case SplineBasis::Power: return power;
-  case SplineBasis::Linear: return linear;
+  case SplineBasis::CatmullRom:
+    return catmullRom;
+  case SplineBasis::Bezier:
+    return bezier;
+  case SplineBasis::BSpline:
+    return bspline;
+  case SplineBasis::Hermite:
+    return hermite;
+  case SplineBasis::Power:
+    return power;
+  case SplineBasis::Linear:
+    return linear;
   }
   llvm_unreachable("unknown basis");
 }
 
 } // namespace
 
-/// The segment is floor(x) for x = clamp(value, 0, 1) * segments, but for the last knot's sake never more than the
-/// last one; t is what remains of x.
+/// The segment is floor(x) for x = clamp(value, 0, 1) * segments, but for the last knot's sake
+/// never more than the last one; t is what remains of x.
 Value *Lowering::callSpline(const CallExpr &call) {
   const Basis &basis = basisOf(call.basis);
   Type scalar{TypeKind::Float, call.type.varying};
@@ -80,8 +86,8 @@ Value *Lowering::callSpline(const CallExpr &call) {
     return all[0];
   };
   unsigned segments = count < 4 ? 1 : (count - 4) / basis.step + 1;
-  Value *x = apply(Op::mul_float, {apply(Op::clamp_float, {value, number(0), number(1)}),
-                                   number(segments)});
+  Value *x = apply(Op::mul_float,
+                   {apply(Op::clamp_float, {value, number(0), number(1)}), number(segments)});
   Value *segment = apply(Op::min_float, {apply(Op::floor, {x}), number(segments - 1)});
   Value *t = apply(Op::sub_float, {x, segment});
   Value *first = apply(Op::mul_float, {segment, number(basis.step)});
@@ -91,8 +97,7 @@ Value *Lowering::callSpline(const CallExpr &call) {
     Value *weight = nullptr;
     for (double coefficient : w) {
       if (weight)
-        weight = apply(Op::add_float,
-                       {apply(Op::mul_float, {weight, t}), number(coefficient)});
+        weight = apply(Op::add_float, {apply(Op::mul_float, {weight, t}), number(coefficient)});
       else if (coefficient != 0)
         weight = number(coefficient);
     }

@@ -53,14 +53,9 @@ void Lowering::lower(const Stmt *stmt) {
     for (const VarDecl *decl : cast<DeclarationStmt>(stmt)->variables)
       lowerVariable(*decl);
     break;
-  case StmtKind::Expression: {
-    const Expr *expr = cast<ExpressionStmt>(stmt)->expr;
-    if (expr->type.is(TypeKind::Bool))
-      lowerCondition(expr);
-    else
-      lower(expr);
+  case StmtKind::Expression:
+    lower(cast<ExpressionStmt>(stmt)->expr);
     break;
-  }
   case StmtKind::If:
     lowerIf(*cast<IfStmt>(stmt));
     break;
@@ -154,7 +149,8 @@ void Lowering::lowerReturn(const ReturnStmt &stmt) {
   branchTo(returnBlock);
 }
 
-/// illuminance runs its body for each light that reaches the point, inside of the cone if there is one:
+/// illuminance runs its body for each light that reaches the point, inside of the cone if there is
+/// one:
 ///
 ///     for (i = 0; i < light_count(); ++i)
 ///       if (light_sample(i, P, L, Cl) & in_cone(L, axis, angle)) { light_shadow(i, P, Cl); body }
@@ -166,7 +162,9 @@ void Lowering::lowerIlluminance(const LightStmt &stmt) {
     // The lights that a runtime gives belong to no category: "" and "-anything" fit them.
     if (auto *name = dyn_cast<StringExpr>(stmt.category)) {
       if (!name->value.empty() && !name->value.starts_with("-")) {
-        diags.warning(name->loc, LightCategory, "no light belongs to a category; the body never runs")
+        diags
+            .warning(name->loc, LightCategory,
+                     "no light belongs to a category; the body never runs")
             .range(name->range);
         return;
       }

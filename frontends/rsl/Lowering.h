@@ -4,14 +4,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
-
 //
-// Values. The result of an operator goes to a fresh slot, and an output argument is copied in and out, so
-// that no operator ever sees one slot twice. Only the value of a variable is its own slot; where something
-// evaluated later could change it, it is copied first.
+// Values. The result of an operator goes to a fresh slot, and an output argument is copied in and
+// out, so that no operator ever sees one slot twice. Only the value of a variable is its own slot;
+// where something evaluated later could change it, it is copied first.
 //
-// Functions are expanded where they are called: their variables get fresh slots, read-only arguments are
-// handed over as slots, results and output arguments as copies.
+// Functions are expanded where they are called: their variables get fresh slots, read-only
+// arguments are handed over as slots, results and output arguments as copies.
 //
 //===------------------------------------------------------------------------------------------===//
 

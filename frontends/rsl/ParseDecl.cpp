@@ -16,17 +16,22 @@ namespace anysl::rsl {
 
 StringRef nameOf(ShaderType type) {
   switch (type) {
-  case ShaderType::Surface: return "surface";
-  case ShaderType::Displacement: return "displacement";
-  case ShaderType::Light: return "light";
-  case ShaderType::Volume: return "volume";
-  case ShaderType::Imager: return "imager";
+  case ShaderType::Surface:
+    return "surface";
+  case ShaderType::Displacement:
+    return "displacement";
+  case ShaderType::Light:
+    return "light";
+  case ShaderType::Volume:
+    return "volume";
+  case ShaderType::Imager:
+    return "imager";
   }
   llvm_unreachable("unknown shader type");
 }
 
-/// The kind that a word in front of a shader's name means. These words are not reserved: shaders use
-/// `light` and `surface` as names of variables and built-ins.
+/// The kind that a word in front of a shader's name means. These words are not reserved: shaders
+/// use `light` and `surface` as names of variables and built-ins.
 static std::optional<ShaderType> shaderType(StringRef word) {
   return StringSwitch<std::optional<ShaderType>>(word)
       .Case("surface", ShaderType::Surface)
@@ -61,8 +66,8 @@ bool Parser::expect(TokenKind kind, StringRef where) {
   if (accept(kind))
     return true;
   // What is missing is missing behind the last word, which may be lines above the next.
-  bool sameLine = diags.presumed(lastEnd()).line == diags.presumed(peek().loc).line &&
-                  !at(TokenKind::End);
+  bool sameLine =
+      diags.presumed(lastEnd()).line == diags.presumed(peek().loc).line && !at(TokenKind::End);
   SMLoc loc = sameLine ? peek().loc : lastEnd();
   auto error = diags.error(loc, "expected " + describe(kind) + " " + where);
   if (kind == TokenKind::Semicolon)
@@ -80,7 +85,8 @@ bool Parser::enter(SMLoc loc) {
   return true;
 }
 
-/// Skips to behind the next ';' of this block, or to what closes or opens a block or starts a declaration.
+/// Skips to behind the next ';' of this block, or to what closes or opens a block or starts a
+/// declaration.
 void Parser::skipStatement() {
   while (!peek().isOneOf(TokenKind::End, TokenKind::RightBrace)) {
     if (accept(TokenKind::Semicolon))
@@ -122,8 +128,8 @@ void Parser::skipToDeclaration() {
     if (accept(TokenKind::Semicolon))
       return;
     take();
-    if (at(TokenKind::Identifier) && shaderType(peek().text) &&
-        peek(1).is(TokenKind::Identifier) && peek(2).is(TokenKind::LeftParen))
+    if (at(TokenKind::Identifier) && shaderType(peek().text) && peek(1).is(TokenKind::Identifier) &&
+        peek(2).is(TokenKind::LeftParen))
       return;
   }
 }
@@ -153,19 +159,18 @@ void Parser::parseTopLevel() {
     if (std::optional<ShaderType> type = shaderType(first.text))
       return parseShader(*type);
     diags
-        .error(first.loc,
-               "unknown kind of shader '" + first.text + "'" +
-                   didYouMean(first.text, {"surface", "displacement", "light", "volume", "imager",
-                                           "void", "float", "color", "point", "vector", "normal",
-                                           "matrix", "string"}))
+        .error(first.loc, "unknown kind of shader '" + first.text + "'" +
+                              didYouMean(first.text, {"surface", "displacement", "light", "volume",
+                                                      "imager", "void", "float", "color", "point",
+                                                      "vector", "normal", "matrix", "string"}))
         .range(first.range());
     return skipToDeclaration();
   }
   bool isUntypedFunction = first.is(TokenKind::Identifier) && peek(1).is(TokenKind::LeftParen);
   if (!atSpecifier() && !isUntypedFunction) {
-    errorHere("expected a shader or a function, not " +
-              (first.is(TokenKind::Identifier) ? "'" + first.text.str() + "'"
-                                               : describe(first.kind).str()));
+    errorHere("expected a shader or a function, not " + (first.is(TokenKind::Identifier)
+                                                             ? "'" + first.text.str() + "'"
+                                                             : describe(first.kind).str()));
     return skipToDeclaration();
   }
   Specifiers specifiers = parseSpecifiers();
@@ -235,9 +240,9 @@ bool Parser::parseParams(VarKind kind, std::vector<VarDecl *> &params, FunctionD
     if (accept(TokenKind::Semicolon))
       continue;
     if (!atSpecifier()) {
-      errorHere("expected a parameter's type or ')', not " +
-                (at(TokenKind::Identifier) ? "'" + peek().text.str() + "'"
-                                           : describe(peek().kind).str()));
+      errorHere("expected a parameter's type or ')', not " + (at(TokenKind::Identifier)
+                                                                  ? "'" + peek().text.str() + "'"
+                                                                  : describe(peek().kind).str()));
       return false;
     }
     Specifiers specifiers = parseSpecifiers();
@@ -268,8 +273,12 @@ Parser::Specifiers Parser::parseSpecifiers() {
   while (atSpecifier()) {
     const Token &token = peek();
     switch (token.kind) {
-    case TokenKind::KwOutput: specifiers.isOutput = true; break;
-    case TokenKind::KwExtern: specifiers.isExtern = true; break;
+    case TokenKind::KwOutput:
+      specifiers.isOutput = true;
+      break;
+    case TokenKind::KwExtern:
+      specifiers.isExtern = true;
+      break;
     case TokenKind::KwUniform:
     case TokenKind::KwVarying:
       specifiers.hasStorage = true;
@@ -282,14 +291,30 @@ Parser::Specifiers Parser::parseSpecifiers() {
       }
       specifiers.hasType = true;
       switch (token.kind) {
-      case TokenKind::KwFloat: specifiers.type = TypeKind::Float; break;
-      case TokenKind::KwColor: specifiers.type = TypeKind::Color; break;
-      case TokenKind::KwPoint: specifiers.type = TypeKind::Point; break;
-      case TokenKind::KwVector: specifiers.type = TypeKind::Vector; break;
-      case TokenKind::KwNormal: specifiers.type = TypeKind::Normal; break;
-      case TokenKind::KwMatrix: specifiers.type = TypeKind::Matrix; break;
-      case TokenKind::KwString: specifiers.type = TypeKind::String; break;
-      default: specifiers.type = TypeKind::Void; break;
+      case TokenKind::KwFloat:
+        specifiers.type = TypeKind::Float;
+        break;
+      case TokenKind::KwColor:
+        specifiers.type = TypeKind::Color;
+        break;
+      case TokenKind::KwPoint:
+        specifiers.type = TypeKind::Point;
+        break;
+      case TokenKind::KwVector:
+        specifiers.type = TypeKind::Vector;
+        break;
+      case TokenKind::KwNormal:
+        specifiers.type = TypeKind::Normal;
+        break;
+      case TokenKind::KwMatrix:
+        specifiers.type = TypeKind::Matrix;
+        break;
+      case TokenKind::KwString:
+        specifiers.type = TypeKind::String;
+        break;
+      default:
+        specifiers.type = TypeKind::Void;
+        break;
       }
     }
     take();
@@ -316,8 +341,7 @@ VarDecl *Parser::parseVariable(VarKind kind, const Specifiers &specifiers, Funct
   decl->hasStorage = specifiers.hasStorage;
   // Parameters of shaders are uniform unless they say otherwise, everything else varies.
   decl->type.kind = specifiers.type;
-  decl->type.varying =
-      specifiers.hasStorage ? specifiers.varying : kind != VarKind::ShaderParam;
+  decl->type.varying = specifiers.hasStorage ? specifiers.varying : kind != VarKind::ShaderParam;
   if (accept(TokenKind::LeftBracket)) {
     decl->type.length = Type::AnyLength;
     if (!at(TokenKind::RightBracket) && !(decl->length = parseExpr()))

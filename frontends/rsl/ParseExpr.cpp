@@ -19,26 +19,41 @@ static constexpr unsigned MaxDepth = 1000;
 
 StringRef spelling(BinaryOp op) {
   switch (op) {
-  case BinaryOp::Add: return "+";
-  case BinaryOp::Subtract: return "-";
-  case BinaryOp::Multiply: return "*";
-  case BinaryOp::Divide: return "/";
-  case BinaryOp::Dot: return ".";
-  case BinaryOp::Cross: return "^";
-  case BinaryOp::Less: return "<";
-  case BinaryOp::LessEqual: return "<=";
-  case BinaryOp::Greater: return ">";
-  case BinaryOp::GreaterEqual: return ">=";
-  case BinaryOp::Equal: return "==";
-  case BinaryOp::NotEqual: return "!=";
-  case BinaryOp::And: return "&&";
-  case BinaryOp::Or: return "||";
+  case BinaryOp::Add:
+    return "+";
+  case BinaryOp::Subtract:
+    return "-";
+  case BinaryOp::Multiply:
+    return "*";
+  case BinaryOp::Divide:
+    return "/";
+  case BinaryOp::Dot:
+    return ".";
+  case BinaryOp::Cross:
+    return "^";
+  case BinaryOp::Less:
+    return "<";
+  case BinaryOp::LessEqual:
+    return "<=";
+  case BinaryOp::Greater:
+    return ">";
+  case BinaryOp::GreaterEqual:
+    return ">=";
+  case BinaryOp::Equal:
+    return "==";
+  case BinaryOp::NotEqual:
+    return "!=";
+  case BinaryOp::And:
+    return "&&";
+  case BinaryOp::Or:
+    return "||";
   }
   llvm_unreachable("unknown operator");
 }
 
 /// Gives a node the depth of its children plus one; null if that is too much.
-template <typename T> T *Parser::grown(T *node, std::initializer_list<const Expr *> children) {
+template <typename T>
+T *Parser::grown(T *node, std::initializer_list<const Expr *> children) {
   for (const Expr *child : children)
     if (child)
       node->depth = std::max(node->depth, child->depth + 1);
@@ -82,13 +97,25 @@ Expr *Parser::parseAssignment() {
     return nullptr;
   std::optional<BinaryOp> op;
   switch (peek().kind) {
-  case TokenKind::Equal: break;
-  case TokenKind::PlusEqual: op = BinaryOp::Add; break;
-  case TokenKind::MinusEqual: op = BinaryOp::Subtract; break;
-  case TokenKind::StarEqual: op = BinaryOp::Multiply; break;
-  case TokenKind::SlashEqual: op = BinaryOp::Divide; break;
-  case TokenKind::CaretEqual: op = BinaryOp::Cross; break;
-  default: return target;
+  case TokenKind::Equal:
+    break;
+  case TokenKind::PlusEqual:
+    op = BinaryOp::Add;
+    break;
+  case TokenKind::MinusEqual:
+    op = BinaryOp::Subtract;
+    break;
+  case TokenKind::StarEqual:
+    op = BinaryOp::Multiply;
+    break;
+  case TokenKind::SlashEqual:
+    op = BinaryOp::Divide;
+    break;
+  case TokenKind::CaretEqual:
+    op = BinaryOp::Cross;
+    break;
+  default:
+    return target;
   }
   SMLoc loc = take().loc;
   Expr *value = parseExpr(); // to the right: a = b = c
@@ -125,21 +152,36 @@ struct BinaryLevel {
 
 static BinaryLevel binaryLevel(TokenKind kind) {
   switch (kind) {
-  case TokenKind::OrOr: return {1, BinaryOp::Or};
-  case TokenKind::AndAnd: return {2, BinaryOp::And};
-  case TokenKind::EqualEqual: return {3, BinaryOp::Equal};
-  case TokenKind::NotEqual: return {3, BinaryOp::NotEqual};
-  case TokenKind::Less: return {4, BinaryOp::Less};
-  case TokenKind::LessEqual: return {4, BinaryOp::LessEqual};
-  case TokenKind::Greater: return {4, BinaryOp::Greater};
-  case TokenKind::GreaterEqual: return {4, BinaryOp::GreaterEqual};
-  case TokenKind::Plus: return {5, BinaryOp::Add};
-  case TokenKind::Minus: return {5, BinaryOp::Subtract};
-  case TokenKind::Caret: return {6, BinaryOp::Cross};
-  case TokenKind::Star: return {7, BinaryOp::Multiply};
-  case TokenKind::Slash: return {7, BinaryOp::Divide};
-  case TokenKind::Dot: return {8, BinaryOp::Dot};
-  default: return {};
+  case TokenKind::OrOr:
+    return {1, BinaryOp::Or};
+  case TokenKind::AndAnd:
+    return {2, BinaryOp::And};
+  case TokenKind::EqualEqual:
+    return {3, BinaryOp::Equal};
+  case TokenKind::NotEqual:
+    return {3, BinaryOp::NotEqual};
+  case TokenKind::Less:
+    return {4, BinaryOp::Less};
+  case TokenKind::LessEqual:
+    return {4, BinaryOp::LessEqual};
+  case TokenKind::Greater:
+    return {4, BinaryOp::Greater};
+  case TokenKind::GreaterEqual:
+    return {4, BinaryOp::GreaterEqual};
+  case TokenKind::Plus:
+    return {5, BinaryOp::Add};
+  case TokenKind::Minus:
+    return {5, BinaryOp::Subtract};
+  case TokenKind::Caret:
+    return {6, BinaryOp::Cross};
+  case TokenKind::Star:
+    return {7, BinaryOp::Multiply};
+  case TokenKind::Slash:
+    return {7, BinaryOp::Divide};
+  case TokenKind::Dot:
+    return {8, BinaryOp::Dot};
+  default:
+    return {};
   }
 }
 
@@ -191,13 +233,27 @@ Expr *Parser::parseCast() {
   Token type = take();
   TypeKind kind = TypeKind::Error;
   switch (type.kind) {
-  case TokenKind::KwFloat: kind = TypeKind::Float; break;
-  case TokenKind::KwColor: kind = TypeKind::Color; break;
-  case TokenKind::KwPoint: kind = TypeKind::Point; break;
-  case TokenKind::KwVector: kind = TypeKind::Vector; break;
-  case TokenKind::KwNormal: kind = TypeKind::Normal; break;
-  case TokenKind::KwMatrix: kind = TypeKind::Matrix; break;
-  case TokenKind::KwString: kind = TypeKind::String; break;
+  case TokenKind::KwFloat:
+    kind = TypeKind::Float;
+    break;
+  case TokenKind::KwColor:
+    kind = TypeKind::Color;
+    break;
+  case TokenKind::KwPoint:
+    kind = TypeKind::Point;
+    break;
+  case TokenKind::KwVector:
+    kind = TypeKind::Vector;
+    break;
+  case TokenKind::KwNormal:
+    kind = TypeKind::Normal;
+    break;
+  case TokenKind::KwMatrix:
+    kind = TypeKind::Matrix;
+    break;
+  case TokenKind::KwString:
+    kind = TypeKind::String;
+    break;
   default:
     diags.error(type.loc, "a value cannot be converted to 'void'").range(type.range());
     return nullptr;

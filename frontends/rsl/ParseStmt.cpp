@@ -90,7 +90,8 @@ Stmt *Parser::parseStatementInner() {
     Expr *count = nullptr;
     if (!at(TokenKind::Semicolon) && !(count = parseExpr()))
       return nullptr;
-    if (!expect(TokenKind::Semicolon, kind == StmtKind::Break ? "after 'break'" : "after 'continue'"))
+    if (!expect(TokenKind::Semicolon,
+                kind == StmtKind::Break ? "after 'break'" : "after 'continue'"))
       return nullptr;
     return ast.make<JumpStmt>(kind, loc, count);
   }
@@ -143,8 +144,8 @@ Stmt *Parser::parseDeclaration() {
     return decl ? ast.make<FunctionStmt>(loc, decl) : ast.make<Stmt>(StmtKind::Empty, loc);
   }
   if (!specifiers.hasType || specifiers.type == TypeKind::Void) {
-    diags.error(loc, specifiers.hasType ? "a variable cannot be 'void'"
-                                        : "a declaration needs a type");
+    diags.error(loc,
+                specifiers.hasType ? "a variable cannot be 'void'" : "a declaration needs a type");
     return nullptr;
   }
   if (specifiers.isOutput)

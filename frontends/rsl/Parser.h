@@ -16,10 +16,11 @@
 
 namespace anysl::rsl {
 
-/// A recursive-descent parser. After an error it skips to the end of the statement or declaration and goes
-/// on, so that one run reports several. How tightly operators bind, tightest first:
+/// A recursive-descent parser. After an error it skips to the end of the statement or declaration
+/// and goes on, so that one run reports several. How tightly operators bind, tightest first:
 ///
-///     ! unary-   cast     .     * /     ^     + -     < <= > >=     == !=     &&     ||     ?:     = += …
+///     ! unary-   cast     .     * /     ^     + -     < <= > >=     == !=     &&     ||     ?: =
+///     += …
 class Parser {
 public:
   /// \p tokens end with End.
@@ -93,7 +94,8 @@ private:
   Expr *parseParenthesised();
   Expr *parseInitialiser();
   bool parseArguments(std::vector<Expr *> &args);
-  template <typename T> T *grown(T *node, std::initializer_list<const Expr *> children);
+  template <typename T>
+  T *grown(T *node, std::initializer_list<const Expr *> children);
 
   std::vector<Token> tokens;
   size_t position = 0;

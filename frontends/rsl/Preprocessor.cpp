@@ -134,8 +134,8 @@ Token Preprocessor::number(const Token &like, unsigned value) {
   return token;
 }
 
-/// Replaces a macro's name by its expansion, which is put in front of what is still to be read. Returns
-/// false if the name is no macro, or stands for itself here.
+/// Replaces a macro's name by its expansion, which is put in front of what is still to be read.
+/// Returns false if the name is no macro, or stands for itself here.
 bool Preprocessor::expand(Token &name) {
   auto found = macros.find(name.text);
   if (found == macros.end()) {

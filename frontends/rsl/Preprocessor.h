@@ -22,15 +22,16 @@ struct PreprocessorOptions {
   std::vector<std::string> defines;
 };
 
-/// Turns a file into the words that the parser sees, as a C preprocessor does: #include, #define with
-/// arguments, # and ##, #undef, #if and its family, #line, #error, #warning; #pragma is ignored.
+/// Turns a file into the words that the parser sees, as a C preprocessor does: #include, #define
+/// with arguments, # and ##, #undef, #if and its family, #line, #error, #warning; #pragma is
+/// ignored.
 class Preprocessor {
 public:
   Preprocessor(DiagnosticEngine &diags, PreprocessorOptions options);
   ~Preprocessor();
 
-  /// Reads a file ("-": standard input) to its end. The last word is End. A file that cannot be read
-  /// is reported and gives End alone. With \p text that is what the file is taken to contain.
+  /// Reads a file ("-": standard input) to its end. The last word is End. A file that cannot be
+  /// read is reported and gives End alone. With \p text that is what the file is taken to contain.
   std::vector<Token> run(llvm::StringRef path, std::optional<llvm::StringRef> text = std::nullopt);
   /// Whether a file was missing, so that what follows from its absence is not worth reporting.
   bool isIncomplete() const { return missedFile; }
@@ -64,7 +65,7 @@ private:
 
   struct Condition {
     llvm::SMLoc loc;
-    bool taken = false;   ///< some branch so far was chosen
+    bool taken = false; ///< some branch so far was chosen
     bool sawElse = false;
   };
 

@@ -15,12 +15,13 @@
 
 namespace anysl::rsl {
 
-/// Holds a parsed file against the rules of RSL and completes the tree: every name gets its declaration,
-/// every call its overload, every expression its type and storage class; implicit conversions become
-/// CastExprs. A tree without errors is all that lowering needs.
+/// Holds a parsed file against the rules of RSL and completes the tree: every name gets its
+/// declaration, every call its overload, every expression its type and storage class; implicit
+/// conversions become CastExprs. A tree without errors is all that lowering needs.
 ///
-/// An overload is chosen by its arguments and by the type that the context wants (the `hint`), so that
-/// `color c = noise(P)` is color noise. Where an argument is itself of a kind that depends on its context
+/// An overload is chosen by its arguments and by the type that the context wants (the `hint`), so
+/// that `color c = noise(P)` is color noise. Where an argument is itself of a kind that depends on
+/// its context
 /// ("flexible": noise(P), a bare triple), the other arguments decide.
 class Sema {
 public:
@@ -110,7 +111,8 @@ private:
                      llvm::ArrayRef<Candidate> candidates);
   CallExpr *foldExtremes(CallExpr &call);
   bool chooseComponentWise(CallExpr &call, llvm::ArrayRef<Type> args);
-  // Built-ins without a fixed list of arguments (SemaSpecial.cpp); null if the name is none of them.
+  // Built-ins without a fixed list of arguments (SemaSpecial.cpp); null if the name is none of
+  // them.
   Expr *checkSpecial(CallExpr &call, TypeKind hint);
   Expr *checkArrayLengthCall(CallExpr &call);
   Expr *checkSpline(CallExpr &call, TypeKind hint);

@@ -35,7 +35,8 @@ std::string Sema::signature(const Candidate &candidate) {
 
 //===-- What an expression's type is before its context is known --------------------------------//
 
-/// The type that an expression has in any context; Error if that depends on the context, or is unknown.
+/// The type that an expression has in any context; Error if that depends on the context, or is
+/// unknown.
 Type Sema::probe(Expr *expr) {
   if (!expr->isProbed) {
     expr->probed = probeInner(expr);
@@ -112,8 +113,7 @@ Type Sema::probeInner(Expr *expr) {
     for (Type arg : args)
       if (arg.isTriple() && !builtinsNamed(call->name).empty())
         return arg;
-    return {call->name == "arraylength" || isQuery(call->name) ? TypeKind::Float
-                                                               : TypeKind::Error};
+    return {call->name == "arraylength" || isQuery(call->name) ? TypeKind::Float : TypeKind::Error};
   }
   case ExprKind::Comma:
     return probe(cast<CommaExpr>(expr)->elements.back());
@@ -274,6 +274,12 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
   std::optional<Candidate> chosen = choose(*call, args, hint);
   if (!chosen && chooseComponentWise(*call, args))
     return call;
+  if (!chosen && all.empty() && !missingFor(call->name).empty()) {
+    // Its arguments may have forms of their own, such as "file"[channel].
+    reportUnknown(*call);
+    call->type = {TypeKind::Error};
+    return call;
+  }
   if (!chosen) {
     for (Expr *&arg : call->args) {
       arg = check(arg);
@@ -380,8 +386,8 @@ void Sema::reportUnknown(const CallExpr &call) {
       names.push_back(entry.first());
   llvm::sort(names);
   llvm::append_range(names, builtinNames());
-  auto error = diags.error(call.loc, "unknown function '" + call.name + "'" +
-                                         didYouMean(call.name, names));
+  auto error =
+      diags.error(call.loc, "unknown function '" + call.name + "'" + didYouMean(call.name, names));
   error.range(call.nameRange);
   if (std::optional<StringRef> likely = suggest(call.name, names))
     error.fixit(call.nameRange, *likely);

@@ -189,7 +189,8 @@ void Sema::checkFunction(FunctionDecl &decl) {
     matchLibraryFunction(decl);
   SmallVector<FunctionDecl *, 2> &overloads = scopes.back().functions[decl.name];
   for (FunctionDecl *other : overloads) {
-    bool same = other->result.kind == decl.result.kind && other->params.size() == decl.params.size();
+    bool same =
+        other->result.kind == decl.result.kind && other->params.size() == decl.params.size();
     for (size_t i = 0; same && i < decl.params.size(); ++i)
       same = other->params[i]->type.kind == decl.params[i]->type.kind &&
              other->params[i]->type.isArray() == decl.params[i]->type.isArray();
@@ -232,8 +233,8 @@ void Sema::checkFunction(FunctionDecl &decl) {
     function->isVarying = true;
 }
 
-/// Finds the built-in that a library's function implements: name, result and arguments must agree, where
-/// points, vectors and normals count as one.
+/// Finds the built-in that a library's function implements: name, result and arguments must agree,
+/// where points, vectors and normals count as one.
 void Sema::matchLibraryFunction(FunctionDecl &decl) {
   ArrayRef<const Builtin *> overloads = builtinsNamed(decl.name);
   if (overloads.empty())
@@ -242,13 +243,14 @@ void Sema::matchLibraryFunction(FunctionDecl &decl) {
     return a == b || (Type{a}.isGeometric() && Type{b}.isGeometric());
   };
   for (const Builtin *builtin : overloads) {
-    bool same = agree(builtin->result, decl.result.kind) &&
-                builtin->arguments.size() == decl.params.size();
+    bool same =
+        agree(builtin->result, decl.result.kind) && builtin->arguments.size() == decl.params.size();
     for (size_t i = 0; same && i < decl.params.size(); ++i)
       same = agree(builtin->arguments[i].type, decl.params[i]->type.kind) &&
              builtin->arguments[i].isOut == decl.params[i]->isOutput &&
              !decl.params[i]->type.isArray() && !decl.params[i]->length;
-    // Overloads that only fill in operands (fresnel with five arguments) are not operators themselves.
+    // Overloads that only fill in operands (fresnel with five arguments) are not operators
+    // themselves.
     for (const BuiltinOperand &operand : builtin->operands)
       same &= operand.source <= BuiltinOperand::Global;
     if (!same)
@@ -259,7 +261,9 @@ void Sema::matchLibraryFunction(FunctionDecl &decl) {
       if (other == &decl)
         break;
       if (other->defines && other->defines->op == builtin->op)
-        diags.error(decl.range.Start, "operator '" + stc::info(builtin->op).name + "' is defined twice")
+        diags
+            .error(decl.range.Start,
+                   "operator '" + stc::info(builtin->op).name + "' is defined twice")
             .range(decl.range)
             .note(other->range.Start, "first defined here", other->range);
     }
@@ -288,8 +292,8 @@ void Sema::checkArrayLength(VarDecl &decl) {
     decl.type.length = 1;
   } else if (*value < 1 || *value > stc::maxArrayLength || *value != static_cast<int>(*value)) {
     diags
-        .error(decl.length->loc, "the length of an array must be an integer from 1 to " +
-                                     Twine(stc::maxArrayLength))
+        .error(decl.length->loc,
+               "the length of an array must be an integer from 1 to " + Twine(stc::maxArrayLength))
         .range(decl.length->range);
     decl.type.length = 1;
   } else {

@@ -135,8 +135,9 @@ Expr *Sema::checkIndex(IndexExpr &index) {
   if (base.isArray()) {
     if (std::optional<double> value = constant(index.index);
         value && base.length > 0 && (*value < 0 || *value >= base.length)) {
-      diags.error(index.index->loc, "index outside of the array, which has " + Twine(base.length) +
-                                        " elements")
+      diags
+          .error(index.index->loc,
+                 "index outside of the array, which has " + Twine(base.length) + " elements")
           .range(index.index->range);
       return failed(&index);
     }
@@ -299,8 +300,9 @@ Expr *Sema::checkCondition(Expr *expr) {
   if (expr->type.isError() || expr->type.is(TypeKind::Bool))
     return expr;
   if (!expr->type.is(TypeKind::Float)) {
-    diags.error(expr->loc, "a condition must be a comparison or a float, not '" +
-                               toString(expr->type) + "'")
+    diags
+        .error(expr->loc,
+               "a condition must be a comparison or a float, not '" + toString(expr->type) + "'")
         .range(expr->range);
     return failed(expr);
   }
@@ -318,16 +320,18 @@ Expr *Sema::checkConditional(ConditionalExpr &conditional, TypeKind hint) {
   conditional.whenTrue = check(conditional.whenTrue, hintFor(whenFalse));
   conditional.whenFalse = check(conditional.whenFalse, hintFor(whenTrue));
   Type a = conditional.whenTrue->type, b = conditional.whenFalse->type;
-  conditional.hasEffects = conditional.condition->hasEffects ||
-                           conditional.whenTrue->hasEffects || conditional.whenFalse->hasEffects;
+  conditional.hasEffects = conditional.condition->hasEffects || conditional.whenTrue->hasEffects ||
+                           conditional.whenFalse->hasEffects;
   if (a.isError() || b.isError() || conditional.condition->type.isError())
     return failed(&conditional);
   TypeKind kind = a.is(TypeKind::String) && b.is(TypeKind::String) ? TypeKind::String
-                  : a.is(TypeKind::Bool) && b.is(TypeKind::Bool)   ? TypeKind::Float
-                                                                   : combinedKind(BinaryOp::Add, a, b);
+                  : a.is(TypeKind::Bool) && b.is(TypeKind::Bool)
+                      ? TypeKind::Float
+                      : combinedKind(BinaryOp::Add, a, b);
   if (kind == TypeKind::Error) {
-    diags.error(conditional.loc, "the two values of '?:' are of types '" + toString(a) + "' and '" +
-                                     toString(b) + "'")
+    diags
+        .error(conditional.loc, "the two values of '?:' are of types '" + toString(a) + "' and '" +
+                                    toString(b) + "'")
         .range(conditional.whenTrue->range)
         .range(conditional.whenFalse->range);
     return failed(&conditional);
@@ -376,9 +380,8 @@ Expr *Sema::checkCast(CastExpr &cast) {
   }
   if (conversionCost(from, cast.type) < 0) {
     diags
-        .error(cast.loc,
-               "a value of type '" + toString(from) + "' cannot be converted to '" +
-                   nameOf(cast.to) + "'")
+        .error(cast.loc, "a value of type '" + toString(from) + "' cannot be converted to '" +
+                             nameOf(cast.to) + "'")
         .range(cast.operand->range);
     return failed(&cast);
   }
@@ -393,8 +396,9 @@ Expr *Sema::checkList(ListExpr &list, Type wanted) {
     list.type.varying |= element->type.varying;
   }
   if (static_cast<int>(list.elements.size()) > wanted.length)
-    diags.error(list.loc, Twine(list.elements.size()) + " values for an array of " +
-                              Twine(wanted.length))
+    diags
+        .error(list.loc,
+               Twine(list.elements.size()) + " values for an array of " + Twine(wanted.length))
         .range(list.range);
   list.type.kind = wanted.kind;
   list.type.length = wanted.length;
@@ -431,10 +435,11 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
         .note(decl.range.Start, "declared here", decl.range);
   }
   if (decl.kind == VarKind::Global && shader && !illuminances) {
-    static constexpr StringLiteral readOnly[] = {"Ng", "I", "E", "u", "v", "du", "dv", "dPdu", "dPdv",
-                                                 "Ps", "ncomps", "time"};
+    static constexpr StringLiteral readOnly[] = {"Ng", "I",    "E",    "u",  "v",      "du",
+                                                 "dv", "dPdu", "dPdv", "Ps", "ncomps", "time"};
     static constexpr StringLiteral results[] = {"Ci", "Oi"};
-    bool writesLight = shader->type == ShaderType::Displacement || shader->type == ShaderType::Light;
+    bool writesLight =
+        shader->type == ShaderType::Displacement || shader->type == ShaderType::Light;
     bool bad = llvm::is_contained(readOnly, decl.name);
     if (!bad && llvm::is_contained(results, decl.name) && writesLight) {
       diags.error(loc, "a " + nameOf(shader->type) + " shader has no '" + decl.name + "'")
@@ -445,7 +450,8 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
       diags.error(loc, "'" + decl.name + "' cannot be assigned").range(target->range);
   }
   if (!decl.type.varying && (valueVaries || indexVaries)) {
-    auto error = diags.error(loc, "a varying value cannot be assigned to uniform '" + decl.name + "'");
+    auto error =
+        diags.error(loc, "a varying value cannot be assigned to uniform '" + decl.name + "'");
     error.range(target->range);
     if (decl.range.isValid())
       error.note(decl.range.Start,
@@ -548,11 +554,16 @@ std::optional<double> Sema::constant(const Expr *expr) {
   if (!left || !right)
     return std::nullopt;
   switch (binary->op) {
-  case BinaryOp::Add: return *left + *right;
-  case BinaryOp::Subtract: return *left - *right;
-  case BinaryOp::Multiply: return *left * *right;
-  case BinaryOp::Divide: return *left / *right;
-  default: return std::nullopt;
+  case BinaryOp::Add:
+    return *left + *right;
+  case BinaryOp::Subtract:
+    return *left - *right;
+  case BinaryOp::Multiply:
+    return *left * *right;
+  case BinaryOp::Divide:
+    return *left / *right;
+  default:
+    return std::nullopt;
   }
 }
 

@@ -47,8 +47,8 @@ Expr *Sema::checkArrayLengthCall(CallExpr &call) {
   return number;
 }
 
-/// spline([basis,] value, array) or spline([basis,] value, k0, k1, k2, k3, …). The type of the knots is what the
-/// context wants, if they convert to it, else their own.
+/// spline([basis,] value, array) or spline([basis,] value, k0, k1, k2, k3, …). The type of the
+/// knots is what the context wants, if they convert to it, else their own.
 Expr *Sema::checkSpline(CallExpr &call, TypeKind hint) {
   call.form = CallForm::Spline;
   call.type = {TypeKind::Error};
@@ -57,14 +57,15 @@ Expr *Sema::checkSpline(CallExpr &call, TypeKind hint) {
   if (hasBasis) {
     args[0] = check(args[0]);
     auto *name = dyn_cast<StringExpr>(args[0]);
-    auto basis = StringSwitch<std::optional<SplineBasis>>(name ? name->value : "")
-                     .Cases("catmull-rom", "catmullrom", "catmull-rom-spline", SplineBasis::CatmullRom)
-                     .Case("bezier", SplineBasis::Bezier)
-                     .Cases("bspline", "b-spline", SplineBasis::BSpline)
-                     .Case("hermite", SplineBasis::Hermite)
-                     .Case("power", SplineBasis::Power)
-                     .Case("linear", SplineBasis::Linear)
-                     .Default(std::nullopt);
+    auto basis =
+        StringSwitch<std::optional<SplineBasis>>(name ? name->value : "")
+            .Cases("catmull-rom", "catmullrom", "catmull-rom-spline", SplineBasis::CatmullRom)
+            .Case("bezier", SplineBasis::Bezier)
+            .Cases("bspline", "b-spline", SplineBasis::BSpline)
+            .Case("hermite", SplineBasis::Hermite)
+            .Case("power", SplineBasis::Power)
+            .Case("linear", SplineBasis::Linear)
+            .Default(std::nullopt);
     if (!basis) {
       StringRef names[] = {"catmull-rom", "bezier", "bspline", "hermite", "power", "linear"};
       auto error = diags.error(args[0]->loc, name ? "unknown basis '" + name->value.str() + "'" +
@@ -151,7 +152,7 @@ Expr *Sema::checkQuery(CallExpr &call) {
                  "nothing answers '" + call.name + "'; it gives 0 and leaves its variable alone")
         .range(call.range);
   call.type = {call.args[0]->type.isError() || call.args[1]->type.isError() ? TypeKind::Error
-                                                                             : TypeKind::Float};
+                                                                            : TypeKind::Float};
   return &call;
 }
 
@@ -164,7 +165,8 @@ Expr *Sema::checkPrintf(CallExpr &call) {
     if (arg->type.is(TypeKind::Bool))
       arg = convert(arg, {TypeKind::Float, arg->type.varying}, "an argument of 'printf'");
   }
-  if (call.args.empty() || (!call.args[0]->type.is(TypeKind::String) && !call.args[0]->type.isError()))
+  if (call.args.empty() ||
+      (!call.args[0]->type.is(TypeKind::String) && !call.args[0]->type.isError()))
     diags.error(call.loc, "'printf' takes a format and values").range(call.nameRange);
   diags.warning(call.loc, Unanswered, "'printf' prints nothing").range(call.nameRange);
   return &call;

@@ -123,8 +123,9 @@ void Sema::checkReturn(ReturnStmt &stmt) {
   Type result = function ? function->result : Type{TypeKind::Void};
   if (!stmt.value) {
     if (result.kind != TypeKind::Void)
-      diags.error(stmt.loc, "function '" + function->name + "' must return a value of type '" +
-                                toString(result) + "'")
+      diags
+          .error(stmt.loc, "function '" + function->name + "' must return a value of type '" +
+                               toString(result) + "'")
           .note(function->range.Start, "declared here", function->range);
     return;
   }
@@ -143,17 +144,17 @@ void Sema::checkReturn(ReturnStmt &stmt) {
     checkStorage(stmt.value, false, "returning from uniform function '" + function->name + "'");
 }
 
-/// Sorts the arguments of illuminance([category,] P [, axis, angle]), illuminate(P [, axis, angle]) and
-/// solar([axis, angle]).
+/// Sorts the arguments of illuminance([category,] P [, axis, angle]), illuminate(P [, axis, angle])
+/// and solar([axis, angle]).
 void Sema::checkLight(LightStmt &stmt) {
   StringRef word = stmt.kind == StmtKind::Illuminance  ? "illuminance"
                    : stmt.kind == StmtKind::Illuminate ? "illuminate"
                                                        : "solar";
   if (stmt.kind != StmtKind::Illuminance && shader && shader->type != ShaderType::Light)
-    diags.error(stmt.loc, "'" + word + "' belongs in a light shader, not in a " + nameOf(shader->type));
+    diags.error(stmt.loc,
+                "'" + word + "' belongs in a light shader, not in a " + nameOf(shader->type));
   ArrayRef<Expr *> args = stmt.args;
-  if (stmt.kind == StmtKind::Illuminance && !args.empty() &&
-      probe(args[0]).is(TypeKind::String)) {
+  if (stmt.kind == StmtKind::Illuminance && !args.empty() && probe(args[0]).is(TypeKind::String)) {
     stmt.category = check(args[0]);
     args = args.drop_front();
   }

@@ -36,7 +36,10 @@ struct Token {
 
   bool is(TokenKind other) const { return kind == other; }
   bool isKeyword() const { return kind >= TokenKind::KwFloat; }
-  template <typename... Kinds> bool isOneOf(Kinds... kinds) const { return (is(kinds) || ...); }
+  template <typename... Kinds>
+  bool isOneOf(Kinds... kinds) const {
+    return (is(kinds) || ...);
+  }
   llvm::SMRange range() const { return {loc, end}; }
 };
 

@@ -21,16 +21,26 @@ bool Type::isGeometric() const {
 
 StringRef nameOf(TypeKind kind) {
   switch (kind) {
-  case TypeKind::Error: return "error";
-  case TypeKind::Void: return "void";
-  case TypeKind::Bool: return "condition";
-  case TypeKind::Float: return "float";
-  case TypeKind::Color: return "color";
-  case TypeKind::Point: return "point";
-  case TypeKind::Vector: return "vector";
-  case TypeKind::Normal: return "normal";
-  case TypeKind::Matrix: return "matrix";
-  case TypeKind::String: return "string";
+  case TypeKind::Error:
+    return "error";
+  case TypeKind::Void:
+    return "void";
+  case TypeKind::Bool:
+    return "condition";
+  case TypeKind::Float:
+    return "float";
+  case TypeKind::Color:
+    return "color";
+  case TypeKind::Point:
+    return "point";
+  case TypeKind::Vector:
+    return "vector";
+  case TypeKind::Normal:
+    return "normal";
+  case TypeKind::Matrix:
+    return "matrix";
+  case TypeKind::String:
+    return "string";
   }
   llvm_unreachable("unknown type");
 }
@@ -44,29 +54,44 @@ std::string toString(Type type) {
 
 stc::Type lowered(TypeKind kind) {
   switch (kind) {
-  case TypeKind::Float: return stc::Type::floatTy;
-  case TypeKind::Color: return stc::Type::colorTy;
-  case TypeKind::Point: return stc::Type::pointTy;
-  case TypeKind::Vector: return stc::Type::vectorTy;
-  case TypeKind::Normal: return stc::Type::normalTy;
-  case TypeKind::Matrix: return stc::Type::matrixTy;
-  case TypeKind::String: return stc::Type::stringTy;
+  case TypeKind::Float:
+    return stc::Type::floatTy;
+  case TypeKind::Color:
+    return stc::Type::colorTy;
+  case TypeKind::Point:
+    return stc::Type::pointTy;
+  case TypeKind::Vector:
+    return stc::Type::vectorTy;
+  case TypeKind::Normal:
+    return stc::Type::normalTy;
+  case TypeKind::Matrix:
+    return stc::Type::matrixTy;
+  case TypeKind::String:
+    return stc::Type::stringTy;
   case TypeKind::Error:
   case TypeKind::Void:
-  case TypeKind::Bool: break;
+  case TypeKind::Bool:
+    break;
   }
   llvm_unreachable("no variable has this type");
 }
 
 TypeKind typeKindOf(stc::Type type) {
   switch (type) {
-  case stc::Type::floatTy: return TypeKind::Float;
-  case stc::Type::colorTy: return TypeKind::Color;
-  case stc::Type::pointTy: return TypeKind::Point;
-  case stc::Type::vectorTy: return TypeKind::Vector;
-  case stc::Type::normalTy: return TypeKind::Normal;
-  case stc::Type::matrixTy: return TypeKind::Matrix;
-  case stc::Type::stringTy: return TypeKind::String;
+  case stc::Type::floatTy:
+    return TypeKind::Float;
+  case stc::Type::colorTy:
+    return TypeKind::Color;
+  case stc::Type::pointTy:
+    return TypeKind::Point;
+  case stc::Type::vectorTy:
+    return TypeKind::Vector;
+  case stc::Type::normalTy:
+    return TypeKind::Normal;
+  case stc::Type::matrixTy:
+    return TypeKind::Matrix;
+  case stc::Type::stringTy:
+    return TypeKind::String;
   }
   llvm_unreachable("unknown type");
 }

@@ -55,8 +55,9 @@ llvm::StringRef nameOf(TypeKind kind);
 stc::Type lowered(TypeKind kind);
 TypeKind typeKindOf(stc::Type type);
 
-/// What implicit conversion from one type to another costs, for choosing among overloads: 0 the same,
-/// small numbers for changes of meaning (point to vector), larger ones for promotion. Negative: there is none.
+/// What implicit conversion from one type to another costs, for choosing among overloads: 0 the
+/// same, small numbers for changes of meaning (point to vector), larger ones for promotion.
+/// Negative: there is none.
 int conversionCost(Type from, Type to);
 
 } // namespace anysl::rsl

@@ -82,8 +82,7 @@ Expected<unsigned> DiagnosticEngine::addFile(StringRef path, SMLoc includedFrom)
   if (std::error_code code = file.getError())
     return errorCodeToError(code);
   StringRef name = path == "-" ? "<stdin>" : path;
-  auto buffer = (*file)->getBuffer().contains('\r')
-                    ? withUnixLineEnds((*file)->getBuffer(), name)
+  auto buffer = (*file)->getBuffer().contains('\r') ? withUnixLineEnds((*file)->getBuffer(), name)
                 : path == "-" ? MemoryBuffer::getMemBufferCopy((*file)->getBuffer(), name)
                               : std::move(*file);
   return sourceManager.AddNewSourceBuffer(std::move(buffer), includedFrom);
@@ -110,7 +109,7 @@ void DiagnosticEngine::setPresumed(SMLoc loc, unsigned line, StringRef file) {
   if (lineMarks.size() <= buffer)
     lineMarks.resize(buffer + 1);
   std::vector<LineMark> &marks = lineMarks[buffer];
-  std::string name = !file.empty()   ? file.str()
+  std::string name = !file.empty()    ? file.str()
                      : !marks.empty() ? marks.back().file
                                       : memory->getBufferIdentifier().str();
   marks.push_back({next, line, std::move(name)});
@@ -247,10 +246,18 @@ void DiagnosticEngine::printIncludeStack(SMLoc loc) {
 void DiagnosticEngine::print(const Diagnostic &diagnostic) {
   SourceMgr::DiagKind kind = SourceMgr::DK_Error;
   switch (diagnostic.severity) {
-  case Severity::Note: kind = SourceMgr::DK_Note; break;
-  case Severity::Remark: kind = SourceMgr::DK_Remark; break;
-  case Severity::Warning: kind = SourceMgr::DK_Warning; break;
-  case Severity::Error: kind = SourceMgr::DK_Error; break;
+  case Severity::Note:
+    kind = SourceMgr::DK_Note;
+    break;
+  case Severity::Remark:
+    kind = SourceMgr::DK_Remark;
+    break;
+  case Severity::Warning:
+    kind = SourceMgr::DK_Warning;
+    break;
+  case Severity::Error:
+    kind = SourceMgr::DK_Error;
+    break;
   }
   const FilePosition &position = diagnostic.position;
   SMLoc loc = diagnostic.loc.isValid() ? diagnostic.loc : locate(position);

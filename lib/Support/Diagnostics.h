@@ -1,4 +1,5 @@
-//===-- lib/Support/Diagnostics.h - messages that point at sources --------------------*- C++ -*-===//
+//===-- lib/Support/Diagnostics.h - messages that point at sources --------------------*- C++
+//-*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -14,10 +15,12 @@
 //
 // A message is built by chaining and printed when the builder goes out of scope:
 //
-//     diags.error(loc, "redefinition of '" + name + "'").range(begin, end).note(old, "declared here");
+//     diags.error(loc, "redefinition of '" + name + "'").range(begin, end).note(old, "declared
+//     here");
 //
-// It points either at text that this engine has loaded (SMLoc) or at a file, line and column known from
-// elsewhere, such as a debug location; the file is read for its source line if that is possible.
+// It points either at text that this engine has loaded (SMLoc) or at a file, line and column known
+// from elsewhere, such as a debug location; the file is read for its source line if that is
+// possible.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -40,8 +43,8 @@ namespace anysl {
 
 enum class Severity { Note, Remark, Warning, Error };
 
-/// A place named from outside: a path as the compiler was given it, and a line and column from 1. Line 0
-/// means the whole file, column 0 the whole line, an empty path no place at all.
+/// A place named from outside: a path as the compiler was given it, and a line and column from 1.
+/// Line 0 means the whole file, column 0 the whole line, an empty path no place at all.
 struct FilePosition {
   std::string file;
   unsigned line = 0;
@@ -59,8 +62,8 @@ struct WarningGroup {
 /// One message with everything that belongs to it.
 struct Diagnostic {
   Severity severity = Severity::Error;
-  llvm::SMLoc loc;        ///< in a loaded buffer, or invalid
-  FilePosition position;  ///< presumed place (after #line), also where `loc` is invalid
+  llvm::SMLoc loc;       ///< in a loaded buffer, or invalid
+  FilePosition position; ///< presumed place (after #line), also where `loc` is invalid
   std::string message;
   std::vector<llvm::SMRange> ranges;
   std::vector<llvm::SMFixIt> fixits;
@@ -166,7 +169,7 @@ private:
   llvm::raw_ostream &out;
   llvm::SourceMgr sourceManager;
   std::vector<std::vector<LineMark>> lineMarks; ///< by buffer, in order of text
-  llvm::StringMap<unsigned> readFiles;          ///< buffers opened for a FilePosition; 0: unreadable
+  llvm::StringMap<unsigned> readFiles; ///< buffers opened for a FilePosition; 0: unreadable
   llvm::StringMap<bool> chosenWarnings;
   llvm::StringSet<> reported; ///< a message is given once per place
   std::function<void(const Diagnostic &)> consumer;
@@ -180,8 +183,8 @@ private:
   bool noWarnings = false;
 };
 
-/// The candidate that \p name is most likely a misspelling of, or nothing: at most a third of the letters
-/// may differ. Of equally near candidates the first wins.
+/// The candidate that \p name is most likely a misspelling of, or nothing: at most a third of the
+/// letters may differ. Of equally near candidates the first wins.
 std::optional<llvm::StringRef> suggest(llvm::StringRef name,
                                        llvm::ArrayRef<llvm::StringRef> candidates);
 

@@ -24,10 +24,14 @@ struct Expectation {
 
 StringRef nameOf(Severity severity) {
   switch (severity) {
-  case Severity::Note: return "note";
-  case Severity::Remark: return "remark";
-  case Severity::Warning: return "warning";
-  case Severity::Error: return "error";
+  case Severity::Note:
+    return "note";
+  case Severity::Remark:
+    return "remark";
+  case Severity::Warning:
+    return "warning";
+  case Severity::Error:
+    return "error";
   }
   llvm_unreachable("unknown severity");
 }
@@ -64,8 +68,7 @@ bool parse(StringRef name, StringRef text, std::vector<Expectation> &out, raw_os
     rest.consumeInteger(10, expectation.count);
     rest = rest.ltrim(' ');
     size_t end = rest.find("}}");
-    if (!rest.starts_with("{{") || end == StringRef::npos ||
-        rest.take_front(end).contains('\n')) {
+    if (!rest.starts_with("{{") || end == StringRef::npos || rest.take_front(end).contains('\n')) {
       errors << name << ":" << line << ": expected-" << nameOf(expectation.severity)
              << " needs {{text}}\n";
       ok = false;
@@ -84,10 +87,11 @@ bool verifyDiagnostics(DiagnosticEngine &engine, ArrayRef<Diagnostic> messages, 
   bool ok = true;
   SourceMgr &sources = engine.sources();
   for (unsigned i = 1; i <= sources.getNumBuffers(); ++i)
-    ok &= parse(sources.getMemoryBuffer(i)->getBufferIdentifier(), engine.text(i), expectations, out);
+    ok &=
+        parse(sources.getMemoryBuffer(i)->getBufferIdentifier(), engine.text(i), expectations, out);
 
-  bool wantsNotes = any_of(
-      expectations, [](const Expectation &e) { return e.severity == Severity::Note; });
+  bool wantsNotes =
+      any_of(expectations, [](const Expectation &e) { return e.severity == Severity::Note; });
   std::vector<const Diagnostic *> all;
   for (const Diagnostic &message : messages) {
     all.push_back(&message);

@@ -22,7 +22,8 @@ namespace {
 cl::OptionCategory category("rslc");
 
 cl::opt<std::string> input(cl::Positional, cl::Required, cl::desc("FILE.sl"), cl::cat(category));
-cl::opt<std::string> output("o", cl::desc("Write to FILE; - is standard output (default: FILE.stc.bc)"),
+cl::opt<std::string> output("o",
+                            cl::desc("Write to FILE; - is standard output (default: FILE.stc.bc)"),
                             cl::value_desc("FILE"), cl::cat(category));
 cl::opt<bool> asText("S", cl::desc("Write readable text"), cl::cat(category));
 cl::list<std::string> includeDirs("I", cl::Prefix, cl::desc("Look for included files in DIR"),
@@ -40,14 +41,16 @@ cl::list<std::string> warnings("warning",
                                cl::value_desc("NAME"), cl::cat(category));
 cl::opt<bool> noWarnings("w", cl::desc("No warnings"), cl::cat(category));
 cl::opt<bool> syntaxOnly("fsyntax-only", cl::desc("Only check; write nothing"), cl::cat(category));
-cl::opt<unsigned> errorLimit("ferror-limit", cl::desc("Stop after N errors; 0: never (default: 20)"),
+cl::opt<unsigned> errorLimit("ferror-limit",
+                             cl::desc("Stop after N errors; 0: never (default: 20)"),
                              cl::value_desc("N"), cl::init(20), cl::cat(category));
 cl::opt<bool> debugInfo("g", cl::desc("Accepted for build systems: positions are always kept"),
                         cl::cat(category));
 cl::opt<bool> isLibrary("library", cl::desc("The functions of the file define operators"),
                         cl::cat(category));
-cl::opt<bool> verifyMode("verify", cl::desc("Compare messages with the file's expected-error and "
-                                            "expected-warning comments"),
+cl::opt<bool> verifyMode("verify",
+                         cl::desc("Compare messages with the file's expected-error and "
+                                  "expected-warning comments"),
                          cl::cat(category));
 
 void applyWarnings(DiagnosticEngine &diags) {
@@ -97,7 +100,8 @@ std::string escaped(StringRef name) {
   return text;
 }
 
-/// One rule for the output, and an empty one for each header, so that make does not mind one that is gone.
+/// One rule for the output, and an empty one for each header, so that make does not mind one that
+/// is gone.
 Error printDependencies(raw_ostream &out, ArrayRef<std::string> files) {
   out << escaped(outputName()) << ":";
   for (StringRef file : files)
@@ -146,9 +150,8 @@ int main(int argc, char **argv) {
       return Error::success();
     });
   if (!diags.hasErrors() && (writeDependencies || !dependencyFile.empty()))
-    writeFile(diags, dependencyName(), [&](raw_pwrite_stream &out) {
-      return printDependencies(out, result.dependencies);
-    });
+    writeFile(diags, dependencyName(),
+              [&](raw_pwrite_stream &out) { return printDependencies(out, result.dependencies); });
   diags.printSummary();
   // Modules and arenas need no orderly end in a process that is about to go.
   return diags.hasErrors() ? userError : success;

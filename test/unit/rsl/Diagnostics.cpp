@@ -26,7 +26,10 @@ struct Fixture {
 } // namespace
 
 TEST_CASE_METHOD(Fixture, "an error shows its line, range, fix and notes") {
-  diags.error(loc(8), "bad word").range(loc(8), loc(13)).fixit({loc(8), loc(13)}, "3").note(loc(4), "see here");
+  diags.error(loc(8), "bad word")
+      .range(loc(8), loc(13))
+      .fixit({loc(8), loc(13)}, "3")
+      .note(loc(4), "see here");
   CHECK(stream.str() == "file.sl:2:1: error: bad word\nthree four\n^~~~~\n3\n"
                         "file.sl:1:5: note: see here\none two\n    ^\n");
   CHECK(diags.errorCount() == 1);

@@ -4,11 +4,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
-
 //
-// The example shaders and the front end's own test inputs, with words deleted, doubled, swapped or replaced by words
-// from elsewhere: whatever comes out, the compiler must answer with a verified module or with errors. A module that
-// the verifier refuses ends the program, so it is found too.
+// The example shaders and the front end's own test inputs, with words deleted, doubled, swapped or
+// replaced by words from elsewhere: whatever comes out, the compiler must answer with a verified
+// module or with errors. A module that the verifier refuses ends the program, so it is found too.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -87,7 +86,9 @@ TEST_CASE("damaged shaders give errors or sound modules") {
   std::vector<std::vector<std::string>> inputs = allInputs();
   REQUIRE(inputs.size() > 20);
   std::mt19937 random(20260101);
-  auto below = [&](size_t limit) { return std::uniform_int_distribution<size_t>(0, limit - 1)(random); };
+  auto below = [&](size_t limit) {
+    return std::uniform_int_distribution<size_t>(0, limit - 1)(random);
+  };
   unsigned whole = 0, broken = 0;
   for (unsigned round = 0; round < 20000; ++round) {
     std::vector<std::string> words = inputs[below(inputs.size())];
@@ -96,13 +97,27 @@ TEST_CASE("damaged shaders give errors or sound modules") {
       size_t at = below(words.size());
       const std::vector<std::string> &other = inputs[below(inputs.size())];
       switch (below(13)) {
-      case 0: words.resize(at); break;
-      case 1: case 2: case 3: words.erase(words.begin() + static_cast<ptrdiff_t>(at)); break;
-      case 4: case 5: case 6:
+      case 0:
+        words.resize(at);
+        break;
+      case 1:
+      case 2:
+      case 3:
+        words.erase(words.begin() + static_cast<ptrdiff_t>(at));
+        break;
+      case 4:
+      case 5:
+      case 6:
         words.insert(words.begin() + static_cast<ptrdiff_t>(at), words[at]);
         break;
-      case 7: case 8: case 9: std::swap(words[at], words[below(words.size())]); break;
-      default: words[at] = " " + other[below(other.size())]; break;
+      case 7:
+      case 8:
+      case 9:
+        std::swap(words[at], words[below(words.size())]);
+        break;
+      default:
+        words[at] = " " + other[below(other.size())];
+        break;
       }
     }
     std::string text = joined(words);
@@ -120,7 +135,8 @@ TEST_CASE("random bytes give errors") {
     std::string text;
     size_t length = random() % 400;
     for (size_t i = 0; i < length; ++i)
-      text += static_cast<char>(round % 2 ? random() % 256 : " \n#\"\\/*(){}[];,.<>=+-^!&|?:a1e"[random() % 32]);
+      text += static_cast<char>(round % 2 ? random() % 256
+                                          : " \n#\"\\/*(){}[];,.<>=+-^!&|?:a1e"[random() % 32]);
     CAPTURE(text);
     CHECK_FALSE(compiles(text, false));
   }
