@@ -1,0 +1,35 @@
+// Built-ins with arguments of their own.
+// RUN: rslc -verify -fsyntax-only -ferror-limit=0 %s
+
+surface special(uniform float u = 1) {
+  float x = spline("cubic", s, 0, 1, 2, 3);    // expected-error {{unknown basis 'cubic'}}
+  x = spline("hermit", s, 0, 1, 2, 3);         // expected-error {{did you mean 'hermite'?}}
+  string name = "linear";
+  x = spline(name, s, 0, 1, 2, 3);             // expected-error {{the basis of a spline must be constant text}}
+  x = spline(s, 0, 1, 2);                      // expected-error {{'spline' takes a value and at least four knots}}
+  x = spline(s, "a", "b", "c", "d");           // expected-error 4 {{a knot of 'spline': a value of type 'string' is no 'float'}}
+  float three[3] = {1, 2, 3};
+  x = spline(s, three);                        // expected-error {{a spline needs at least four knots}}
+  Ci = spline(s, Cs, Os, 1, 0);
+  u = spline(s, 0, 1, 2, 3);                   // expected-error {{a varying value cannot be assigned to uniform 'u'}}
+
+  uniform float flag = 0;
+  if (lightsource("__nondiffuse", flag) == 0) x = 0;
+  x = lightsource("mystery", x);               // expected-warning {{nothing answers 'lightsource'; it gives 0}}
+  x = attribute("user:id", x);                 // expected-warning {{nothing answers 'attribute'}}
+  x = option("Format");                        // expected-error {{'option' takes a name and a variable}}
+  x = option("Format", 1);                     // expected-error {{output argument 2 of 'option' needs a variable}} expected-warning {{nothing answers 'option'}}
+  illuminance(P)
+    lightsource("__nonspecular", Ci);          // expected-error {{'__nonspecular' is a float}}
+  printf("%f\n", x);                           // expected-warning {{'printf' prints nothing}}
+  printf(1);                                   // expected-error {{'printf' takes a format and values}} expected-warning {{'printf' prints nothing}}
+  Ci = sqrt("a");                              // expected-error {{no function 'sqrt' takes (string)}}
+  x = sqrt(Cs);                                // expected-error {{a value of type 'color' is no 'float'}}
+  Ci = pow(Cs, N);                             // expected-error {{no function 'pow' takes (color, normal)}}
+  Ci = texture("file.tex"[0], s, t);           // expected-error {{built-in 'texture' is not supported: it needs textures}}
+}
+
+// Names of built-ins that are the shader's own.
+float attribute(string a; float b) { return b; }
+float printf(float x) { return x; }
+surface own(float option = 1) { Ci = attribute("x", printf(option)); }

@@ -1,0 +1,88 @@
+//===-- tools/rsl-reference/rsl-reference.cpp - prints the page of built-ins ------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Prints docs/rsl-builtins.md from frontends/rsl/Builtins.def.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Builtins.h"
+#include "llvm/ADT/MapVector.h"
+#include "llvm/Support/raw_ostream.h"
+
+using namespace llvm;
+using namespace anysl;
+
+namespace {
+
+/// A `|` would end the table's cell.
+std::string cell(StringRef text) {
+  std::string result;
+  for (char c : text)
+    result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+void printBuiltins(raw_ostream &out) {
+  out << "| built-in | operator | meaning |\n|---|---|---|\n";
+  for (const rsl::Builtin &builtin : rsl::allBuiltins()) {
+    // Names with two underscores are for the shading library.
+    if (!builtin.name.starts_with("__"))
+      out << "| `" << rsl::signature(builtin) << "` | `" << stc::info(builtin.op).name << "` | "
+          << cell(builtin.meaning) << " |\n";
+  }
+}
+
+void printQueries(raw_ostream &out) {
+  out << "\n## Queries\n\n"
+         "`float name(string, variable)` asks for a value by name, and gives 0 where nobody knows "
+         "it. "
+         "No runtime answers any of them yet, except `lightsource(\"__nondiffuse\", x)` and "
+         "`lightsource(\"__nonspecular\", x)` inside of `illuminance`; the others are answered 0, "
+         "with a "
+         "warning (`-Wno-unanswered` silences it).\n\n"
+         "| query | asks for |\n|---|---|\n";
+#define RSL_QUERY(name, meaning) out << "| `" #name "` | " << cell(meaning) << " |\n";
+#include "frontends/rsl/Builtins.def"
+}
+
+void printMissing(raw_ostream &out) {
+  MapVector<StringRef, std::vector<StringRef>> byNeed;
+#define RSL_UNSUPPORTED(name, need) byNeed[need].push_back(#name);
+#include "frontends/rsl/Builtins.def"
+  out << "\n## Not there\n\nA call of one of these is an error that says so.\n\n"
+         "| needs | built-ins |\n|---|---|\n";
+  for (const auto &[need, names] : byNeed) {
+    out << "| " << need << " | ";
+    for (StringRef name : names)
+      out << (name == names.front() ? "`" : ", `") << name << "`";
+    out << " |\n";
+  }
+}
+
+} // namespace
+
+int main() {
+  raw_ostream &out = outs();
+  out << "# The built-in functions of RSL\n\n"
+         "Generated from `frontends/rsl/Builtins.def` by `rsl-reference`; do not edit. Points, "
+         "vectors and "
+         "normals may stand for each other, and a float for any of them. Where overloads differ "
+         "only in "
+         "their result, the context decides, and if it does not, the first.\n\n"
+         "A function of floats alone also takes colors, points, vectors and normals, component by "
+         "component: `sqrt(Cs)`, `pow(Cs, 2.2)`.\n\n"
+         "`min` and `max` take two or more arguments. `spline([basis,] value, knots)` takes an "
+         "array or at "
+         "least four knots of type float, color, point, vector or normal; the bases are "
+         "\"catmull-rom\" "
+         "(default), \"bezier\", \"bspline\", \"hermite\", \"power\" and \"linear\". "
+         "`arraylength(array)` is a "
+         "constant. `printf` is accepted and prints nothing, with a warning.\n\n";
+  printBuiltins(out);
+  printQueries(out);
+  printMissing(out);
+}
