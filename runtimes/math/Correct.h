@@ -6,7 +6,8 @@
 //===------------------------------------------------------------------------------------------===//
 //
 // Functions of two floats have 2^64 arguments, too many to prove by trying that an error of 2^-53
-// never meets the middle between two floats. So they are computed as the sum of two doubles.
+// never meets the middle between two floats, and of inverse square roots it is known that it does.
+// So these are computed as the sum of two doubles.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -62,6 +63,17 @@ ANYSL_TIER float hypotCorrect(float x, float y) {
   bool nan = x != x || y != y;
   float length = nan ? x + y : float(roundToOdd(root, 0x1p-80));
   return infinite ? Infinity<float> : length;
+}
+
+/// Some arguments have an inverse root within 2^-53 of the middle between two floats.
+ANYSL_TIER float inverseSqrtCorrect(float x) {
+  InverseSqrt s = inverseSqrtStart(x);
+  double m = s.x, y = s.y;
+  y += y * (0.5 * (1 - m * (y * y)));
+  Pair p = product(product(y, y), m);
+  Pair root = fastSum(y, y * (0.5 * ((1 - p.high) - p.low)));
+  bool ordinary = m > 0 && m < Infinity<double>;
+  return (ordinary ? float(roundToOdd(root, 0x1p-90)) : s.y) * s.scale;
 }
 
 } // namespace anysl::tier

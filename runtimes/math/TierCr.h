@@ -32,7 +32,7 @@ ANYSL_TIER float log10(float x) { return log10InDouble<LongPolynomials>(x); }
 ANYSL_TIER float pow(float x, float y) { return powCorrect(x, y); }
 ANYSL_TIER float cbrt(float x) { return cbrtInDouble<LongPolynomials>(x); }
 ANYSL_TIER float sqrt(float x) { return squareRoot(x); }
-ANYSL_TIER float inversesqrt(float x) { return inverseSqrtInDouble(x); }
+ANYSL_TIER float inversesqrt(float x) { return inverseSqrtCorrect(x); }
 ANYSL_TIER float reciprocal(float x) { return 1 / x; }
 ANYSL_TIER float divide(float x, float y) { return x / y; }
 ANYSL_TIER float hypot(float x, float y) { return hypotCorrect(x, y); }
