@@ -241,7 +241,7 @@ Value *Lowering::callFunction(const CallExpr &call) {
       Value *fresh = temporary(type, param->name);
       copy(type, fresh, value);
       value = fresh;
-    } else if (function.usesOuter && (isa<NameExpr>(arg) || isa<IndexExpr>(arg))) {
+    } else if (function.usesOuter && mayBeVariable(arg)) {
       value = copied(arg->type, value);
     }
     arguments.push_back(value);

@@ -205,12 +205,20 @@ Value *Lowering::lower(const Expr *expr) {
   llvm_unreachable("this expression has no slot");
 }
 
+/// Whether the slot of an expression's value may be a variable's own, which something else can
+/// change.
+bool Lowering::mayBeVariable(const Expr *expr) {
+  if (auto *cast = dyn_cast<CastExpr>(expr))
+    return mayBeVariable(cast->operand);
+  if (auto *list = dyn_cast<CommaExpr>(expr))
+    return mayBeVariable(list->elements.back());
+  return isa<NameExpr, IndexExpr, OpaqueExpr, AssignExpr>(expr);
+}
+
 /// The value of an operand, safe from what is evaluated after it.
 Value *Lowering::lowerBefore(const Expr *expr, bool effectsFollow) {
   Value *value = lower(expr);
-  bool isVariable = isa<NameExpr>(expr) || isa<IndexExpr>(expr) || isa<OpaqueExpr>(expr) ||
-                    isa<CastExpr>(expr) || isa<AssignExpr>(expr);
-  return effectsFollow && isVariable ? copied(expr->type, value) : value;
+  return effectsFollow && mayBeVariable(expr) ? copied(expr->type, value) : value;
 }
 
 Value *Lowering::lowerIndex(const IndexExpr &index) {

@@ -81,6 +81,7 @@ private:
 
   // Expressions (LowerExpr.cpp)
   Value *lower(const Expr *expr);
+  static bool mayBeVariable(const Expr *expr);
   Value *lowerBefore(const Expr *expr, bool effectsFollow);
   Value *lowerLasting(const Expr *expr) { return expr ? lowerBefore(expr, true) : nullptr; }
   Value *lowerCondition(const Expr *expr);

@@ -266,6 +266,8 @@ std::vector<Token> Preprocessor::substitute(const Token &name, const Macro &macr
           return static_cast<int>(i);
     return -1;
   };
+  // Of macros in macros the outermost counts: its use is what a message points at.
+  diags.setExpansion(name.loc, name.text, macro.name.loc);
   std::vector<Token> out;
   std::vector<std::optional<std::vector<Token>>> expanded(arguments.size());
   const std::vector<Token> &body = macro.body;

@@ -115,6 +115,10 @@ void DiagnosticEngine::setPresumed(SMLoc loc, unsigned line, StringRef file) {
   marks.push_back({next, line, std::move(name)});
 }
 
+void DiagnosticEngine::setExpansion(SMLoc use, StringRef macro, SMLoc definition) {
+  expansions.try_emplace(use.getPointer(), Expansion{macro.str(), definition});
+}
+
 FilePosition DiagnosticEngine::presumed(SMLoc loc) const {
   if (!loc.isValid())
     return {};
@@ -211,6 +215,17 @@ void DiagnosticEngine::report(Diagnostic diagnostic) {
                     utostr(diagnostic.position.column) + ":" + diagnostic.message;
   if (!reported.insert(key).second)
     return;
+  if (auto expansion = expansions.find(diagnostic.loc.getPointer());
+      expansion != expansions.end()) {
+    // What should be replaced is not what stands there.
+    diagnostic.fixits.clear();
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.loc = expansion->second.definition;
+    note.position = presumed(note.loc);
+    note.message = "in the expansion of macro '" + expansion->second.macro + "', defined here";
+    diagnostic.notes.push_back(std::move(note));
+  }
   if (diagnostic.severity == Severity::Error) {
     if (reachedLimit()) {
       ++errors;

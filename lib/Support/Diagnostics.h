@@ -28,6 +28,7 @@
 #define ANYSL_LIB_SUPPORT_DIAGNOSTICS_H
 
 #include "llvm/ADT/ArrayRef.h"
+#include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/ADT/StringSet.h"
 #include "llvm/ADT/Twine.h"
@@ -113,6 +114,8 @@ public:
   /// From the line after the one of \p loc on, lines count from \p line, in \p file unless that is
   /// empty (a #line directive).
   void setPresumed(llvm::SMLoc loc, unsigned line, llvm::StringRef file);
+  /// What is reported at \p use comes out of a macro defined at \p definition; a note will say so.
+  void setExpansion(llvm::SMLoc use, llvm::StringRef macro, llvm::SMLoc definition);
   /// File, line and column as they are to be shown.
   FilePosition presumed(llvm::SMLoc loc) const;
 
@@ -152,6 +155,11 @@ public:
   }
 
 private:
+  struct Expansion {
+    std::string macro;
+    llvm::SMLoc definition;
+  };
+
   struct LineMark {
     const char *from; ///< first character of the first line that it concerns
     unsigned line;
@@ -169,6 +177,7 @@ private:
   llvm::raw_ostream &out;
   llvm::SourceMgr sourceManager;
   std::vector<std::vector<LineMark>> lineMarks; ///< by buffer, in order of text
+  llvm::DenseMap<const char *, Expansion> expansions;
   llvm::StringMap<unsigned> readFiles; ///< buffers opened for a FilePosition; 0: unreadable
   llvm::StringMap<bool> chosenWarnings;
   llvm::StringSet<> reported; ///< a message is given once per place
