@@ -91,7 +91,8 @@ bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point
   return reaches;
 }
 
-/// An operator of its own, so that only those points send a ray which the light reaches and which face it.
+/// An operator of its own, so that only those points send a ray which the light reaches and which
+/// face it.
 void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point *P,
                         anysl_color *Cl) {
   using namespace anysl;

@@ -5,9 +5,10 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Number k of a point is mixBits(mixBits(seed + goldenStep) + k * goldenStep), that is Weyl's sequence through a
-// permutation. It depends on the point's seed and on how many numbers the point has drawn, so it is
-// the same at every width, thread count and real; numbers have 24 bits for that reason too.
+// Number k of a point is mixBits(mixBits(seed + goldenStep) + k * goldenStep), that is Weyl's
+// sequence through a permutation. It depends on the point's seed and on how many numbers the point
+// has drawn, so it is the same at every width, thread count and real; numbers have 24 bits for that
+// reason too.
 //
 //===------------------------------------------------------------------------------------------===//
 

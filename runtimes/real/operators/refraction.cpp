@@ -1,5 +1,4 @@
-//===-- runtimes/real/operators/refraction.cpp - light at the boundary of two media
-//-------------===//
+//===-- runtimes/real/operators/refraction.cpp - light at the boundary of two media -----------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

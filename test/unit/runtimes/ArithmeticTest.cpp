@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/ArithmeticTest.cpp - arithmetic and comparison
-//-----------------------===//
+//===-- test/unit/runtimes/ArithmeticTest.cpp - arithmetic and comparison ---------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/ContextTest.cpp - the operators that ask for a context, in each interface
-//runtime ===//
+//===-- test/unit/runtimes/ContextTest.cpp - operators that take a context --------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -99,8 +98,7 @@ auto load(anysl_context *context, uint32_t id) {
 extern "C" void anysl_shader_body(anysl_context *context) { shader(context); }
 extern "C" void anysl_shader_init(anysl_context *context) { defaults(context); }
 
-//===-- Globals and parameters
-//------------------------------------------------------------------===//
+//===-- Globals and parameters ----------------------------------------------------------------===//
 
 TEST_CASE("a point's globals are read and written where the layout has them") {
   Batch batch;
@@ -233,8 +231,7 @@ TEST_CASE("a batch without any per-point parameters binds none") {
   });
 }
 
-//===-- Random numbers
-//--------------------------------------------------------------------------===//
+//===-- Random numbers ------------------------------------------------------------------------===//
 
 TEST_CASE("random numbers depend on the point's seed and on how many it has drawn") {
   Batch batch;
@@ -299,8 +296,7 @@ TEST_CASE("random numbers are even over the points of a batch and over a point's
   CHECK(std::abs(successive / n) < 0.002);
 }
 
-//===-- Lights
-//----------------------------------------------------------------------------------===//
+//===-- Lights --------------------------------------------------------------------------------===//
 
 namespace {
 
@@ -398,7 +394,8 @@ TEST_CASE("flags of a light leave it out of diffuse or specular") {
   });
 }
 
-TEST_CASE("only a light that casts shadows asks for transmission, and only when asked for its shadow") {
+TEST_CASE(
+    "only a light that casts shadows asks for transmission, and only when asked for its shadow") {
   static int asked;
   static double from[3], to[3];
   asked = 0;
@@ -434,8 +431,7 @@ TEST_CASE("only a light that casts shadows asks for transmission, and only when 
   CHECK((to[2] - from[2] > 1e10 && to[0] == from[0] && to[1] == from[1]));
 }
 
-//===-- Services
-//--------------------------------------------------------------------------------===//
+//===-- Services ------------------------------------------------------------------------------===//
 
 TEST_CASE("services that the renderer does not offer give neutral values") {
   Batch batch;

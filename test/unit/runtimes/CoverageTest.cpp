@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/CoverageTest.cpp - every operator defined here is called by a test
-//---===//
+//===-- test/unit/runtimes/CoverageTest.cpp - each operator is called by a test ---------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/DefinitionsTest.cpp - every operator is defined exactly once
-//---------===//
+//===-- test/unit/runtimes/DefinitionsTest.cpp - each operator has one definition -------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/GeometryTest.cpp - lengths, directions, transformations, matrices
-//----===//
+//===-- test/unit/runtimes/GeometryTest.cpp - lengths, directions, matrices -------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -108,8 +107,7 @@ TEST_CASE("a projection divides by w, and a singular matrix gives 0") {
   checkVector(call<anysl_transform_normal>(anysl_matrix{}, anysl_vector(1, 2, 3)), 0, 0, 0);
 }
 
-//===-- Refraction
-//------------------------------------------------------------------------------===//
+//===-- Refraction ----------------------------------------------------------------------------===//
 
 namespace {
 
@@ -234,8 +232,7 @@ TEST_CASE("refraction obeys Snell's law, and eta = 1 changes nothing") {
     }
 }
 
-//===-- Matrices
-//--------------------------------------------------------------------------------===//
+//===-- Matrices ------------------------------------------------------------------------------===//
 
 TEST_CASE("matrices are computed element by element") {
   anysl_matrix a, b;

@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/LibmTier.cpp - the C library as a math tier
-//--------------------------===//
+//===-- test/unit/runtimes/LibmTier.cpp - the C library as a math tier ------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/MathematicsTest.cpp - functions of real numbers, at and beyond their
-//edges ===//
+//===-- test/unit/runtimes/MathematicsTest.cpp - functions of real numbers --------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

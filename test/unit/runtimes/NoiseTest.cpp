@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/NoiseTest.cpp - what noise promises, since no two renderers share its
-//values ===//
+//===-- test/unit/runtimes/NoiseTest.cpp - what noise promises --------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

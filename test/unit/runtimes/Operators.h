@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/Operators.h - calling operators as a test likes to
-//-------------------===//
+//===-- test/unit/runtimes/Operators.h - calling operators ------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/PacketFormsTest.cpp - the wide forms of the packet runtime's services
-//===//
+//===-- test/unit/runtimes/PacketFormsTest.cpp - wide forms of services -----------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

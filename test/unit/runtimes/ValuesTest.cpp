@@ -1,5 +1,4 @@
-//===-- test/unit/runtimes/ValuesTest.cpp - constants, construction, copies, components
-//---------===//
+//===-- test/unit/runtimes/ValuesTest.cpp - constants, copies, components ---------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
