@@ -1,4 +1,4 @@
-//===-- runtimes/scalar/context.cpp - what the scalar runtime shares with others over a batch ---===//
+//===-- runtimes/scalar/context.cpp - what it shares with others over a batch -----------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

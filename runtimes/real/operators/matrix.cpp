@@ -1,4 +1,4 @@
-//===-- runtimes/real/operators/matrix.cpp - products, inverses and transformations as matrices ---===//
+//===-- runtimes/real/operators/matrix.cpp - products and inverses ----------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
