@@ -13,9 +13,8 @@
 using namespace anysl::render;
 
 Camera::Camera(const CameraDescription &given) : description(given) {
-  double aspect = given.frameAspect > 0
-                      ? given.frameAspect
-                      : double(given.width) * given.pixelAspect / given.height;
+  double aspect = given.frameAspect > 0 ? given.frameAspect
+                                        : double(given.width) * given.pixelAspect / given.height;
   if (given.screenWindow)
     window = *given.screenWindow;
   else if (aspect >= 1)

@@ -39,7 +39,7 @@ public:
 private:
   CameraDescription description;
   std::array<double, 4> window; ///< left, right, bottom, top of the screen
-  double scale;                 ///< screen coordinates to directions: the tangent of half the field of view
+  double scale; ///< screen coordinates to directions: the tangent of half the field of view
 };
 
 } // namespace anysl::render

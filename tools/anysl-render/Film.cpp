@@ -50,11 +50,13 @@ void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
                                const OutputFile &output) {
   fs::path name = imageFileName(output);
   std::string suffix = name.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](char c) { return char(std::tolower(c)); });
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](char c) { return char(std::tolower(c)); });
   bool linear = suffix == ".exr" || suffix == ".hdr" || suffix == ".pfm";
 
   // OpenImageIO chooses the format by the suffix, so that the temporary name keeps it.
-  fs::path temporary = name.parent_path() / ("." + name.stem().string() + "." + std::to_string(getpid()) + suffix);
+  fs::path temporary =
+      name.parent_path() / ("." + name.stem().string() + "." + std::to_string(getpid()) + suffix);
   auto fail = [&](const std::string &reason) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
@@ -64,7 +66,8 @@ void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
   if (!file)
     fail(OIIO::geterror());
   int channels = output.alpha ? 4 : 3;
-  auto type = linear ? (output.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT) : OIIO::TypeDesc::UINT8;
+  auto type =
+      linear ? (output.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT) : OIIO::TypeDesc::UINT8;
   OIIO::ImageSpec spec(film.width, film.height, channels, type);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
   spec.attribute("Software", "AnySL " ANYSL_VERSION);
@@ -85,8 +88,8 @@ void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
     if (output.alpha)
       values.push_back(std::clamp(pixel[3], 0.0f, 1.0f));
   }
-  if (!file->open(temporary.string(), spec) || !file->write_image(OIIO::TypeDesc::FLOAT, values.data()) ||
-      !file->close())
+  if (!file->open(temporary.string(), spec) ||
+      !file->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !file->close())
     fail(file->geterror());
   std::error_code error;
   fs::rename(temporary, name, error);

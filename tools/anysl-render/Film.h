@@ -28,8 +28,8 @@ std::string imageFileName(const OutputFile &output);
 /// rendering than after.
 void checkOutput(const OutputFile &output);
 
-/// Writes the picture. Floating-point formats get the linear values times the exposure's gain; others
-/// are encoded as sRGB, or, where the scene asks for a gamma other than 1, by that gamma.
+/// Writes the picture. Floating-point formats get the linear values times the exposure's gain;
+/// others are encoded as sRGB, or, where the scene asks for a gamma other than 1, by that gamma.
 /// The file appears under its name only when it is complete. Throws UserError where it cannot be
 /// written.
 void writeImage(const Film &film, const SceneDescription &scene, const OutputFile &output);

@@ -17,8 +17,18 @@ using namespace anysl::render;
 namespace {
 
 /// Component k of ray i of Embree's N rays is rays[k * N + i]; these are the k.
-enum RayComponent { OriginX, Near = 3, DirectionX = 4, Far = 8, HitNormal = 12, HitU = 15, HitV,
-                    HitPrimitive, HitGeometry, HitInstance };
+enum RayComponent {
+  OriginX,
+  Near = 3,
+  DirectionX = 4,
+  Far = 8,
+  HitNormal = 12,
+  HitU = 15,
+  HitV,
+  HitPrimitive,
+  HitGeometry,
+  HitInstance
+};
 
 unsigned rayMask(const Appearance &appearance, bool opacityVaries) {
   unsigned mask = 0;
@@ -181,7 +191,8 @@ void Geometry::addMesh(MeshSurface &surface, unsigned mask) {
     auto filter = [](const RTCFilterFunctionNArguments *a) {
       const Mesh &mesh = static_cast<const MeshSurface *>(a->geometryUserPtr)->mesh;
       for (unsigned i = 0; i < a->N; ++i) {
-        Vec3d ignored, normal = mesh.evaluate(RTCHitN_primID(a->hit, a->N, i), 0, 0, false, ignored).normal;
+        Vec3d ignored,
+            normal = mesh.evaluate(RTCHitN_primID(a->hit, a->N, i), 0, 0, false, ignored).normal;
         Vec3d direction(RTCRayN_dir_x(a->ray, a->N, i), RTCRayN_dir_y(a->ray, a->N, i),
                         RTCRayN_dir_z(a->ray, a->N, i));
         if (a->valid[i] && dot(normal, direction) > 0)
@@ -199,12 +210,11 @@ void Geometry::addMesh(MeshSurface &surface, unsigned mask) {
 namespace anysl::render {
 
 template <unsigned W>
-void Geometry::intersect(const int *valid, typename RayPacketType<W>::RayHit &rays,
-                         bool coherent) const {
+void Geometry::intersect(const int *valid, typename RayPacketType<W>::RayHit &rays) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags =
-      coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  // Rays that neighbouring points trace are alike enough: a tenth faster for them as well.
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   if constexpr (W == 1)
     rtcIntersect1(scene, &context, &rays);
   else if constexpr (W == 4)
@@ -230,7 +240,7 @@ void Geometry::occluded(const int *valid, typename RayPacketType<W>::Ray &rays) 
 }
 
 #define ANYSL_RENDER_WIDTH(W)                                                                      \
-  template void Geometry::intersect<W>(const int *, RayPacketType<W>::RayHit &, bool) const;       \
+  template void Geometry::intersect<W>(const int *, RayPacketType<W>::RayHit &) const;             \
   template void Geometry::occluded<W>(const int *, RayPacketType<W>::Ray &) const;
 ANYSL_RENDER_WIDTH(1)
 ANYSL_RENDER_WIDTH(4)
@@ -277,14 +287,18 @@ void Geometry::evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t 
     point.frame.normal = normalized(point.frame.normal);
     point.normal = normalized(point.normal);
     magnitude = mesh.magnitude(hit.primitive);
+    // Along the shading normal, so that it tells on which side of the smooth surface a ray goes.
+    point.lift = point.normal * length(mesh.lift(hit.primitive, hit.u, hit.v, point.frame.P));
   }
   if (needed & texture) {
     double u = point.frame.u, v = point.frame.v;
     const auto &st = appearance.textureCoordinates;
     bool quadric = entry.quadrics != nullptr;
     // The corners are those of a quadric; a polygon's default is its u and v.
-    point.s = quadric ? (1 - v) * ((1 - u) * st[0] + u * st[2]) + v * ((1 - u) * st[4] + u * st[6]) : u;
-    point.t = quadric ? (1 - v) * ((1 - u) * st[1] + u * st[3]) + v * ((1 - u) * st[5] + u * st[7]) : v;
+    point.s =
+        quadric ? (1 - v) * ((1 - u) * st[0] + u * st[2]) + v * ((1 - u) * st[4] + u * st[6]) : u;
+    point.t =
+        quadric ? (1 - v) * ((1 - u) * st[1] + u * st[3]) + v * ((1 - u) * st[5] + u * st[7]) : v;
   }
   if (entry.mesh) {
     const Mesh &mesh = entry.mesh->mesh;
@@ -293,7 +307,8 @@ void Geometry::evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t 
     mesh.opacity(hit.primitive, hit.u, hit.v, point.opacity);
   }
   // P is rounded by half an ulp of each of its coordinates, and Embree computes with the corners of
-  // a triangle relative to the ray's origin. 32 ulps leave room for the rounding of the ray's start.
+  // a triangle relative to the ray's origin. 32 ulps leave room for the rounding of the ray's
+  // start.
   magnitude = std::max({magnitude, maxAbs(point.frame.P), 1e-30});
   point.offset = float(magnitude * 0x1p-18);
 }

@@ -39,14 +39,32 @@ struct SurfacePoint {
   double s = 0, t = 0;
   Vec3d color, opacity;
   float offset = 0; ///< how far a ray has to start off the surface not to meet it again
+  Vec3d lift;       ///< from a facet to the smooth surface that it stands for
 };
 
 /// W rays at once in Embree's layout; one ray for W = 1.
-template <unsigned W> struct RayPacketType;
-template <> struct RayPacketType<1> { using RayHit = RTCRayHit; using Ray = RTCRay; };
-template <> struct RayPacketType<4> { using RayHit = RTCRayHit4; using Ray = RTCRay4; };
-template <> struct RayPacketType<8> { using RayHit = RTCRayHit8; using Ray = RTCRay8; };
-template <> struct RayPacketType<16> { using RayHit = RTCRayHit16; using Ray = RTCRay16; };
+template <unsigned W>
+struct RayPacketType;
+template <>
+struct RayPacketType<1> {
+  using RayHit = RTCRayHit;
+  using Ray = RTCRay;
+};
+template <>
+struct RayPacketType<4> {
+  using RayHit = RTCRayHit4;
+  using Ray = RTCRay4;
+};
+template <>
+struct RayPacketType<8> {
+  using RayHit = RTCRayHit8;
+  using Ray = RTCRay8;
+};
+template <>
+struct RayPacketType<16> {
+  using RayHit = RTCRayHit16;
+  using Ray = RTCRay16;
+};
 
 /// All surfaces of a scene.
 class Geometry {
@@ -59,7 +77,7 @@ public:
 
   /// Finds the nearest hit of each valid ray (-1: valid, 0: not), at a width of W.
   template <unsigned W>
-  void intersect(const int *valid, typename RayPacketType<W>::RayHit &rays, bool coherent) const;
+  void intersect(const int *valid, typename RayPacketType<W>::RayHit &rays) const;
   /// Sets tfar of each valid ray to -infinity where anything is in its way.
   template <unsigned W>
   void occluded(const int *valid, typename RayPacketType<W>::Ray &rays) const;

@@ -42,7 +42,8 @@ RenderCounts &RenderCounts::operator+=(const RenderCounts &other) {
 RayStarts::RayStarts(Arena &arena, size_t count) {
   // Whole vectors are loaded, so that the arrays reach beyond the last point.
   count = (count + AskedRays::most - 1) / AskedRays::most * AskedRays::most;
-  for (float **array : {&P[0], &P[1], &P[2], &Ng[0], &Ng[1], &Ng[2], &offset})
+  for (float **array :
+       {&P[0], &P[1], &P[2], &Ng[0], &Ng[1], &Ng[2], &lift[0], &lift[1], &lift[2], &offset})
     *array = arena.allocate<float>(count);
 }
 
@@ -50,6 +51,7 @@ void RayStarts::set(size_t i, const SurfacePoint &point) {
   for (int k = 0; k < 3; ++k) {
     P[k][i] = float(point.frame.P[k]);
     Ng[k][i] = float(point.frame.normal[k]);
+    lift[k][i] = float(point.lift[k]);
   }
   offset[i] = point.offset;
 }
@@ -62,10 +64,10 @@ Ray RayStarts::behind(size_t i, Vec3f direction, uint32_t seed) const {
 
 namespace {
 
-/// How far along the normal a ray that starts at `from` has to start: 0 for a shader's own points. The
-/// comparison leaves room for a P that has been through another number format.
-[[gnu::always_inline]] inline float shift(const RayStarts &starts, size_t point, float fx, float fy, float fz, float dx,
-                   float dy, float dz) {
+/// How far along the normal a ray that starts at `from` has to start: 0 for a shader's own points.
+/// The comparison leaves room for a P that has been through another number format.
+[[gnu::always_inline]] inline float shift(const RayStarts &starts, size_t point, float fx, float fy,
+                                          float fz, float dx, float dy, float dz) {
   float offset = starts.offset[point], near = 0.25f * offset;
   float x = std::fabs(fx - starts.P[0][point]), y = std::fabs(fy - starts.P[1][point]);
   float z = std::fabs(fz - starts.P[2][point]);
@@ -77,8 +79,9 @@ namespace {
 
 // Squares of floats do not overflow in double, so that lengths need no scaling.
 
-[[gnu::always_inline]] inline void traceLane(const RayStarts &starts, size_t point, uint32_t i, uint32_t count,
-                      const float *P, const float *R, AskedRays &rays) {
+[[gnu::always_inline]] inline void traceLane(const RayStarts &starts, size_t point, uint32_t i,
+                                             uint32_t count, const float *P, const float *R,
+                                             AskedRays &rays) {
   double x = R[i], y = R[count + i], z = R[2 * count + i];
   double length = __builtin_sqrt(x * x + y * y + z * z), scale = 1 / length;
   float dx = float(x * scale), dy = float(y * scale), dz = float(z * scale);
@@ -92,22 +95,32 @@ namespace {
   rays.direction[2][i] = dz;
   rays.far[i] = 1e30f;
   // Written so that NaN fails, in P as well.
-  rays.valid[i] = (length > 0) & (length < 1e300) & (px - px == 0) & (py - py == 0) & (pz - pz == 0);
+  rays.valid[i] =
+      (length > 0) & (length < 1e300) & (px - px == 0) & (py - py == 0) & (pz - pz == 0);
 }
 
-[[gnu::always_inline]] inline void shadowLane(const RayStarts &starts, size_t point, uint32_t i, uint32_t count,
-                       const float *from, const float *to, AskedRays &rays) {
+/// Moves the end (x, y, z) of a shadow ray off its surface, where it lies on one: towards (dx, dy,
+/// dz), and up to the smooth surface on whose outer side that is.
+[[gnu::always_inline]] inline void raise(const RayStarts &starts, size_t point, float &x, float &y,
+                                         float &z, float dx, float dy, float dz) {
+  float lx = starts.lift[0][point], ly = starts.lift[1][point], lz = starts.lift[2][point];
+  bool outside = lx * dx + ly * dy + lz * dz > 0;
+  float off =
+      shift(starts, point, x, y, z, outside ? lx : dx, outside ? ly : dy, outside ? lz : dz);
+  float height = outside ? (off != 0 ? 1.0f : 0.0f) : 0.0f;
+  x += starts.Ng[0][point] * off + lx * height;
+  y += starts.Ng[1][point] * off + ly * height;
+  z += starts.Ng[2][point] * off + lz * height;
+}
+
+[[gnu::always_inline]] inline void shadowLane(const RayStarts &starts, size_t point, uint32_t i,
+                                              uint32_t count, const float *from, const float *to,
+                                              AskedRays &rays) {
   float fx = from[i], fy = from[count + i], fz = from[2 * count + i];
   float tx = to[i], ty = to[count + i], tz = to[2 * count + i];
   float dx = tx - fx, dy = ty - fy, dz = tz - fz;
-  float off = shift(starts, point, fx, fy, fz, dx, dy, dz);
-  fx += starts.Ng[0][point] * off;
-  fy += starts.Ng[1][point] * off;
-  fz += starts.Ng[2][point] * off;
-  off = shift(starts, point, tx, ty, tz, -dx, -dy, -dz);
-  tx += starts.Ng[0][point] * off;
-  ty += starts.Ng[1][point] * off;
-  tz += starts.Ng[2][point] * off;
+  raise(starts, point, fx, fy, fz, dx, dy, dz);
+  raise(starts, point, tx, ty, tz, -dx, -dy, -dz);
   double x = double(tx) - fx, y = double(ty) - fy, z = double(tz) - fz;
   double length = __builtin_sqrt(x * x + y * y + z * z), scale = 1 / length;
   rays.origin[0][i] = fx;
@@ -162,7 +175,8 @@ int anysl::render::serveSpaceMatrix(void *renderer, const Space *object, const c
   return 1;
 }
 
-AnyslShadeArgs anysl::render::makeShadeArgs(const ShadingGroup &group, uint32_t count, void *batch) {
+AnyslShadeArgs anysl::render::makeShadeArgs(const ShadingGroup &group, uint32_t count,
+                                            void *batch) {
   AnyslShadeArgs args;
   anysl_instance_fill_args(group.shader->instance.get(), &args);
   args.count = count;

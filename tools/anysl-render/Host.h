@@ -6,8 +6,8 @@
 //===------------------------------------------------------------------------------------------===//
 //
 // A host drives shaders of one runtime: it traces camera rays, shades what they hit, and serves the
-// shaders' own rays, which may lead to more shading. All arithmetic that decides a pixel stands here,
-// once, so that the hosts make the same picture.
+// shaders' own rays, which may lead to more shading. All arithmetic that decides a pixel stands
+// here, once, so that the hosts make the same picture.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -38,7 +38,8 @@ public:
   };
 
   /// `count` values, not initialised, aligned to 64 bytes and padded to a multiple of that.
-  template <typename T> T *allocate(size_t count) {
+  template <typename T>
+  T *allocate(size_t count) {
     size_t bytes = (count * sizeof(T) + 63) / 64 * 64;
     if (blocks.empty() || used + bytes > blocks[block].size)
       nextBlock(bytes);
@@ -135,7 +136,7 @@ constexpr uint32_t behindSurface = 0x62656864;
 
 /// What is kept of shaded points for the rays that start there, one array for each number.
 struct RayStarts {
-  float *P[3], *Ng[3];
+  float *P[3], *Ng[3], *lift[3];
   float *offset;
 
   RayStarts(Arena &arena, size_t count);
@@ -152,18 +153,21 @@ struct AskedRays {
 
   Ray ray(uint32_t i, uint32_t seed) const {
     return {{origin[0][i], origin[1][i], origin[2][i]},
-            {direction[0][i], direction[1][i], direction[2][i]}, 0, far[i], seed};
+            {direction[0][i], direction[1][i], direction[2][i]},
+            0,
+            far[i],
+            seed};
   }
 };
 
 /// The rays for trace(P, R) from the points first, first + 1, ...; vectors lie as x[count] y[count]
-/// z[count]. A ray that starts at its point, as nearly all do, starts a little off the surface on the
-/// side that R leads to, so far that it cannot meet the surface where it starts. None is valid where R
-/// is no direction.
+/// z[count]. A ray that starts at its point, as nearly all do, starts a little off the surface on
+/// the side that R leads to, so far that it cannot meet the surface where it starts. None is valid
+/// where R is no direction.
 void makeTraceRays(const RayStarts &starts, size_t first, uint32_t count, const float *P,
                    const float *R, AskedRays &rays);
-/// The rays for transmission(from, to), either of which may be the point itself. None is valid where
-/// both are the same.
+/// The rays for transmission(from, to), either of which may be the point itself. None is valid
+/// where both are the same.
 void makeShadowRays(const RayStarts &starts, size_t first, uint32_t count, const float *from,
                     const float *to, AskedRays &rays);
 

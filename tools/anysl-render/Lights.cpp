@@ -28,9 +28,9 @@ struct LightValues {
 LightValues readValues(const LightUse &light, Warnings &warnings) {
   LightValues values;
   const std::pair<const char *, double *> floats[] = {
-      {"intensity", &values.intensity},       {"coneangle", &values.coneAngle},
+      {"intensity", &values.intensity},           {"coneangle", &values.coneAngle},
       {"conedeltaangle", &values.coneDeltaAngle}, {"beamdistribution", &values.beamDistribution},
-      {"__nondiffuse", &values.nonDiffuse},   {"__nonspecular", &values.nonSpecular}};
+      {"__nondiffuse", &values.nonDiffuse},       {"__nonspecular", &values.nonSpecular}};
   const std::pair<const char *, Vec3d *> triples[] = {
       {"lightcolor", &values.color}, {"from", &values.from}, {"to", &values.to}};
   for (const Parameter &parameter : light.parameters) {
@@ -105,9 +105,9 @@ LightSet anysl::render::makeLightSet(const SceneDescription &scene,
 }
 
 Background::Background(const SceneDescription &scene)
-    : visible(scene.background.visible),
-      up(normalized(scene.worldToCamera.vector({0, 1, 0}))), zenith(scene.background.zenith),
-      horizon(scene.background.horizon), ground(scene.background.ground) {}
+    : visible(scene.background.visible), up(normalized(scene.worldToCamera.vector({0, 1, 0}))),
+      zenith(scene.background.zenith), horizon(scene.background.horizon),
+      ground(scene.background.ground) {}
 
 Vec3f Background::color(Vec3f direction) const {
   if (!visible)
@@ -115,5 +115,6 @@ Vec3f Background::color(Vec3f direction) const {
   // Most of the change lies near the horizon, as it does outdoors.
   float height = std::clamp(dot(direction, up), -1.0f, 1.0f);
   float share = std::sqrt(std::fabs(height));
-  return lerp(horizon, height >= 0 ? zenith : ground, height >= 0 ? share : std::min(1.0f, 3 * share));
+  return lerp(horizon, height >= 0 ? zenith : ground,
+              height >= 0 ? share : std::min(1.0f, 3 * share));
 }

@@ -20,9 +20,9 @@ struct LightSet {
   float ambient[3] = {};
 };
 
-/// Translates the lights with these indices: ambientlight, distantlight, pointlight and spotlight with
-/// the parameters of the RenderMan Interface's standard lights, and __nondiffuse and __nonspecular.
-/// Others get a warning and are left out.
+/// Translates the lights with these indices: ambientlight, distantlight, pointlight and spotlight
+/// with the parameters of the RenderMan Interface's standard lights, and __nondiffuse and
+/// __nonspecular. Others get a warning and are left out.
 LightSet makeLightSet(const SceneDescription &scene, const std::vector<uint32_t> &indices,
                       Warnings &warnings);
 

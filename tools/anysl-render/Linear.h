@@ -21,7 +21,8 @@
 
 namespace anysl::render {
 
-template <typename T> struct Vec3 {
+template <typename T>
+struct Vec3 {
   T x{}, y{}, z{};
 
   constexpr Vec3() = default;
@@ -47,15 +48,21 @@ template <typename T> struct Vec3 {
 using Vec3d = Vec3<double>;
 using Vec3f = Vec3<float>;
 
-template <typename T> T dot(Vec3<T> a, Vec3<T> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-template <typename T> Vec3<T> cross(Vec3<T> a, Vec3<T> b) {
+template <typename T>
+T dot(Vec3<T> a, Vec3<T> b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <typename T>
+Vec3<T> cross(Vec3<T> a, Vec3<T> b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double length(Vec3d v) { return std::sqrt(dot(v, v)); }
-template <typename T> T maxAbs(Vec3<T> v) {
+template <typename T>
+T maxAbs(Vec3<T> v) {
   return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
 }
-template <typename T> bool isFinite(Vec3<T> v) {
+template <typename T>
+bool isFinite(Vec3<T> v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 /// A vector of unit length, or zero where v has no direction. The scaling keeps squares from
@@ -67,7 +74,10 @@ inline Vec3d normalized(Vec3d v) {
   v = {v.x / scale, v.y / scale, v.z / scale};
   return v * (1 / length(v));
 }
-template <typename T> Vec3<T> lerp(Vec3<T> a, Vec3<T> b, T t) { return a * (1 - t) + b * t; }
+template <typename T>
+Vec3<T> lerp(Vec3<T> a, Vec3<T> b, T t) {
+  return a * (1 - t) + b * t;
+}
 
 /// A 4x4 matrix for row vectors: a point p maps to p M, and "first A, then B" is A * B.
 struct Matrix4 {

@@ -57,7 +57,8 @@ Mesh Mesh::fromPolygons(const PolygonShape &shape, const Matrix4 &objectToCamera
     normal = normalized(mesh.toObject.normalByInverse(normal)) *
              (appearance.reverseOrientation ? -1.0 : 1.0);
   const Parameter *st = findParameter(shape.parameters, "st");
-  const Parameter *s = findParameter(shape.parameters, "s"), *t = findParameter(shape.parameters, "t");
+  const Parameter *s = findParameter(shape.parameters, "s"),
+                  *t = findParameter(shape.parameters, "t");
   for (size_t i = 0; i < shape.points.size() && (st || s || t); ++i) {
     Vec3d value(shape.points[i].x, shape.points[i].y, 0);
     if (st)
@@ -171,6 +172,21 @@ void Mesh::texture(uint32_t triangle, float u, float v, double &s, double &t) co
   Vec3d st = interpolate(textures, triangle, u, v);
   s = st.x;
   t = st.y;
+}
+
+Vec3d Mesh::lift(uint32_t triangle, float u, float v, Vec3d P) const {
+  Vec3d result;
+  if (normals.empty())
+    return result;
+  // Each corner's tangent plane, as far as it lies above P, weighted as the corner is.
+  const auto &corner = triangles[triangle];
+  const double weights[3] = {1.0 - u - v, u, v};
+  for (size_t i = 0; i < 3; ++i) {
+    Vec3d normal = normals[corner[i]];
+    double height = dot(P - Vec3d(points[corner[i]]), normal);
+    result += normal * (weights[i] * std::max(0.0, -height));
+  }
+  return result;
 }
 
 double Mesh::magnitude(uint32_t triangle) const {

@@ -5,10 +5,11 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Rays are followed many at a time. A list of rays goes through Embree in packets of W; the hits are
-// sorted by shading group, and each group's points are laid out as structure of arrays and shaded by
-// one call of the shader's W-wide code. Where that code traces, the rays of W points come back here as
-// a new, shorter list one level deeper: the same function follows camera rays and all others.
+// Rays are followed many at a time. A list of rays goes through Embree in packets of W; the hits
+// are sorted by shading group, and each group's points are laid out as structure of arrays and
+// shaded by one call of the shader's W-wide code. Where that code traces, the rays of W points come
+// back here as a new, shorter list one level deeper: the same function follows camera rays and all
+// others.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -52,7 +53,9 @@ struct RayList {
     target[count++] = toTarget;
   }
   Vec3f originOf(uint32_t i) const { return {origin[0][i], origin[1][i], origin[2][i]}; }
-  Vec3f directionOf(uint32_t i) const { return {direction[0][i], direction[1][i], direction[2][i]}; }
+  Vec3f directionOf(uint32_t i) const {
+    return {direction[0][i], direction[1][i], direction[2][i]};
+  }
   Hit hitOf(uint32_t i) const { return {t[i], u[i], v[i], geometry[i], primitive[i]}; }
 };
 
@@ -77,13 +80,15 @@ public:
   void transmission(ThreadState &state, RayList &rays, Vec3f *passing) const;
 };
 
-template <unsigned W> class PacketHost final : public PacketHostBase {
+template <unsigned W>
+class PacketHost final : public PacketHostBase {
 public:
   PacketHost(const SceneDescription &description, const ShaderCache &cache,
              const AnyslServices &services, Warnings &warnings)
       : theScene(description, cache, services, ANYSL_LAYOUT_SOA, W, warnings) {}
 
-  void trace(ThreadState &state, const Ray *rays, uint32_t count, Radiance *radiance) const override {
+  void trace(ThreadState &state, const Ray *rays, uint32_t count,
+             Radiance *radiance) const override {
     Arena::Scope scope(state.arena);
     RayList list(state.arena, count);
     for (uint32_t i = 0; i < count; ++i)
@@ -110,7 +115,8 @@ private:
 
 //===-- Packets -------------------------------------------------------------//
 
-template <unsigned W> void PacketHost<W>::findNearest(RayList &rays, unsigned mask) const {
+template <unsigned W>
+void PacketHost<W>::findNearest(RayList &rays, unsigned mask) const {
   const Geometry &geometry = theScene.geometry();
   for (uint32_t first = 0; first < rays.count; first += W) {
     uint32_t count = std::min(W, rays.count - first);
@@ -119,7 +125,7 @@ template <unsigned W> void PacketHost<W>::findNearest(RayList &rays, unsigned ma
       Vec3f o = rays.originOf(first), d = rays.directionOf(first);
       query.ray = {o.x, o.y, o.z, rays.near[first], d.x, d.y, d.z, 0, rays.far[first], mask, 0, 0};
       query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      geometry.intersect<1>(nullptr, query, mask == CameraRays);
+      geometry.intersect<1>(nullptr, query);
       rays.t[first] = query.ray.tfar;
       rays.u[first] = query.hit.u;
       rays.v[first] = query.hit.v;
@@ -146,7 +152,7 @@ template <unsigned W> void PacketHost<W>::findNearest(RayList &rays, unsigned ma
         query.ray.id[i] = query.ray.flags[i] = 0;
         query.hit.geomID[i] = query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
       }
-      geometry.intersect<W>(valid, query, mask == CameraRays);
+      geometry.intersect<W>(valid, query);
       std::memcpy(rays.t + first, query.ray.tfar, bytes);
       std::memcpy(rays.u + first, query.hit.u, bytes);
       std::memcpy(rays.v + first, query.hit.v, bytes);
@@ -156,14 +162,16 @@ template <unsigned W> void PacketHost<W>::findNearest(RayList &rays, unsigned ma
   }
 }
 
-template <unsigned W> void PacketHost<W>::findBlocked(RayList &rays) const {
+template <unsigned W>
+void PacketHost<W>::findBlocked(RayList &rays) const {
   const Geometry &geometry = theScene.geometry();
   for (uint32_t first = 0; first < rays.count; first += W) {
     uint32_t count = std::min(W, rays.count - first);
     if (W == 1 || count == 1) {
       Vec3f o = rays.originOf(first), d = rays.directionOf(first);
-      RTCRay query = {o.x, o.y, o.z, rays.near[first], d.x, d.y, d.z, 0, rays.far[first],
-                      OpaqueShadowRays, 0, 0};
+      RTCRay query = {o.x, o.y, o.z, rays.near[first], d.x,
+                      d.y, d.z, 0,   rays.far[first],  OpaqueShadowRays,
+                      0,   0};
       geometry.occluded<1>(nullptr, query);
       rays.t[first] = query.tfar;
       continue;
@@ -258,14 +266,16 @@ void PacketHost<W>::shade(ThreadState &state, const RayList &rays, const uint32_
   float *arrays[ANYSL_COMPONENT_COUNT] = {};
   constexpr uint64_t outputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL_Oi;
   uint64_t wanted = outputs | (group.shader ? group.shader->globals : 0);
-  storeGlobals(wanted, SurfacePoint(), Vec3f(),
-               [&](int component, double) { arrays[component] = state.arena.allocate<float>(size); });
+  storeGlobals(wanted, SurfacePoint(), Vec3f(), [&](int component, double) {
+    arrays[component] = state.arena.allocate<float>(size);
+  });
 
   for (uint32_t i = 0; i < count; ++i) {
     uint32_t ray = members[i];
     Vec3f origin = rays.originOf(ray), direction = rays.directionOf(ray);
     SurfacePoint point;
-    geometry.evaluate(rays.hitOf(ray), origin, direction, group.shader ? group.shader->needed : 0, point);
+    geometry.evaluate(rays.hitOf(ray), origin, direction, group.shader ? group.shader->needed : 0,
+                      point);
     starts.set(i, point);
     storeGlobals(wanted, point, origin,
                  [&](int component, double value) { arrays[component][i] = float(value); });
@@ -368,8 +378,8 @@ RayList gather(PacketBatch &batch, const AskedRays &asked, uint32_t first, uint3
   return rays;
 }
 
-void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32_t mask,
-                      const float *P, const float *R, float *color) {
+void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                      uint32_t mask, const float *P, const float *R, float *color) {
   auto &batch = *static_cast<PacketBatch *>(args->batch);
   ThreadState &state = *batch.state;
   ServiceScope service(state);
@@ -424,7 +434,8 @@ void serveTransmissionPacket(void *, const AnyslShadeArgs *args, uint32_t first,
 // A shader's scalar code (width 1) asks for one point at a time.
 void serveTrace(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *P,
                 const double *R, double *color) {
-  float from[3] = {float(P[0]), float(P[1]), float(P[2])}, along[3] = {float(R[0]), float(R[1]), float(R[2])};
+  float from[3] = {float(P[0]), float(P[1]), float(P[2])},
+        along[3] = {float(R[0]), float(R[1]), float(R[2])};
   float result[3];
   serveTracePacket(renderer, args, point, 1, 1, from, along, result);
   std::copy_n(result, 3, color);
@@ -432,27 +443,30 @@ void serveTrace(void *renderer, const AnyslShadeArgs *args, uint32_t point, cons
 
 double serveDistance(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *P,
                      const double *R) {
-  float from[3] = {float(P[0]), float(P[1]), float(P[2])}, along[3] = {float(R[0]), float(R[1]), float(R[2])};
+  float from[3] = {float(P[0]), float(P[1]), float(P[2])},
+        along[3] = {float(R[0]), float(R[1]), float(R[2])};
   float result;
   serveDistancePacket(renderer, args, point, 1, 1, from, along, &result);
   return result;
 }
 
-void serveTransmission(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *from,
-                       const double *to, double *color) {
-  float begin[3] = {float(from[0]), float(from[1]), float(from[2])}, end[3] = {float(to[0]), float(to[1]), float(to[2])};
+void serveTransmission(void *renderer, const AnyslShadeArgs *args, uint32_t point,
+                       const double *from, const double *to, double *color) {
+  float begin[3] = {float(from[0]), float(from[1]), float(from[2])},
+        end[3] = {float(to[0]), float(to[1]), float(to[2])};
   float result[3];
   serveTransmissionPacket(renderer, args, point, 1, 1, begin, end, result);
   std::copy_n(result, 3, color);
 }
 
-int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to, double *matrix) {
+int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to,
+                double *matrix) {
   const auto *batch = static_cast<const PacketBatch *>(args->batch);
   return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
 }
 
-const AnyslServices services = {sizeof(AnyslServices), serveTrace,        serveTracePacket,
-                                serveDistance,         serveDistancePacket, serveTransmission,
+const AnyslServices services = {sizeof(AnyslServices),   serveTrace,          serveTracePacket,
+                                serveDistance,           serveDistancePacket, serveTransmission,
                                 serveTransmissionPacket, serveMatrix};
 
 template <unsigned W>

@@ -157,9 +157,8 @@ void Quadric::bounds(Vec3f &lower, Vec3f &upper) const {
   }
 }
 
-ANYSL_RENDER_WIDE void
-Quadric::roots(const float *__restrict rays, unsigned stride, unsigned count, double *__restrict first,
-               double *__restrict second) const {
+ANYSL_RENDER_WIDE void Quadric::roots(const float *__restrict rays, unsigned stride, unsigned count,
+                                      double *__restrict first, double *__restrict second) const {
   const auto m = toObject.m;
   const double a = this->a, b = this->b, c = this->c, d = this->d;
   const bool flat = a == 0 && b == 0;

@@ -106,7 +106,8 @@ RibToken RibLexer::numberToken() {
   auto [rest, error] = std::from_chars(begin, end, token.number);
   if (error == std::errc::result_out_of_range)
     throw UserError(location(token.offset), "a number beyond what a double can hold");
-  bool ended = rest == end || isSpace(*rest) || *rest == '[' || *rest == ']' || *rest == '#' || *rest == '"';
+  bool ended =
+      rest == end || isSpace(*rest) || *rest == '[' || *rest == ']' || *rest == '#' || *rest == '"';
   if (error != std::errc() || !ended || !std::isfinite(token.number))
     throw UserError(location(token.offset), "this is not a number");
   position = size_t(rest - text.data());

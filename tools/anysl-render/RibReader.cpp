@@ -190,7 +190,8 @@ Declaration anysl::render::parseDeclaration(std::string_view text, std::string *
     words.pop_back();
 
   auto fail = [&]() -> Declaration {
-    throw UserError(where, "\"" + std::string(text) + "\" is not a declaration such as \"uniform color" +
+    throw UserError(where, "\"" + std::string(text) +
+                               "\" is not a declaration such as \"uniform color" +
                                std::string(name ? " name\"" : "\""));
   };
   Declaration result;

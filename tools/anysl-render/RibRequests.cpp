@@ -89,7 +89,8 @@ void RibState::execute(const RibRequest &request) {
     RibArguments arguments(request, declarations);
     (this->*entry.handler)(arguments);
     if (!arguments.empty() && entry.handler != &RibState::ignored)
-      throw UserError(request.arguments.back().where, request.name + ": more arguments than expected");
+      throw UserError(request.arguments.back().where,
+                      request.name + ": more arguments than expected");
     return;
   }
   warnings.warnOnce("request " + request.name, request.where,
@@ -98,7 +99,8 @@ void RibState::execute(const RibRequest &request) {
 
 std::vector<SceneDescription> RibState::finish(const Location &end) {
   if (!blocks.empty()) {
-    static const char *const names[] = {"FrameBegin", "WorldBegin", "AttributeBegin", "TransformBegin"};
+    static const char *const names[] = {"FrameBegin", "WorldBegin", "AttributeBegin",
+                                        "TransformBegin"};
     throw UserError(blocks.back().where,
                     std::string(names[size_t(blocks.back().kind)]) + " without its end");
   }
@@ -211,7 +213,8 @@ void RibState::display(RibArguments &arguments) {
 void RibState::format(RibArguments &arguments) {
   auto n = arguments.numbers(3, "width, height and pixel aspect");
   if (!(n[0] >= 1 && n[1] >= 1 && n[0] <= 65536 && n[1] <= 65536))
-    throw UserError(arguments.where(), "Format: the size must lie between 1 and 65536 pixels a side");
+    throw UserError(arguments.where(),
+                    "Format: the size must lie between 1 and 65536 pixels a side");
   scene.camera.width = int(n[0]);
   scene.camera.height = int(n[1]);
   scene.camera.pixelAspect = n[2] > 0 ? n[2] : 1;
@@ -225,8 +228,8 @@ void RibState::projection(RibArguments &arguments) {
   else if (name == "orthographic")
     scene.camera.perspective = false;
   else
-    throw UserError(arguments.where(), "Projection: \"" + name +
-                                           "\" is neither \"perspective\" nor \"orthographic\"");
+    throw UserError(arguments.where(),
+                    "Projection: \"" + name + "\" is neither \"perspective\" nor \"orthographic\"");
   for (const Parameter &parameter : parameters) {
     if (parameter.name != "fov" || parameter.numbers.size() != 1) {
       warnUnknown("projection parameter", parameter.name, parameter.where);
@@ -260,7 +263,8 @@ void RibState::pixelFilter(RibArguments &arguments) {
   else {
     scene.filter = FilterKind::Gaussian;
     if (name != "gaussian")
-      warnings.warn(arguments.where(), "PixelFilter \"" + name + "\" is not known; \"gaussian\" is used");
+      warnings.warn(arguments.where(),
+                    "PixelFilter \"" + name + "\" is not known; \"gaussian\" is used");
   }
 }
 
@@ -432,7 +436,8 @@ void RibState::orientation(RibArguments &arguments) {
   else if (name == "lh" || name == "rh")
     state.appearance.reverseOrientation = (name == "lh") != leftHanded;
   else
-    throw UserError(arguments.where(), "Orientation: \"" + name + "\" is none of outside, inside, lh, rh");
+    throw UserError(arguments.where(),
+                    "Orientation: \"" + name + "\" is none of outside, inside, lh, rh");
 }
 
 void RibState::reverseOrientation(RibArguments &) {

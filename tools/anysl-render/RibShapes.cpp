@@ -11,7 +11,8 @@
 
 using namespace anysl::render;
 
-void RibState::addShape(std::variant<QuadricShape, PolygonShape> geometry, RibArguments &arguments) {
+void RibState::addShape(std::variant<QuadricShape, PolygonShape> geometry,
+                        RibArguments &arguments) {
   if (!inWorld())
     throw UserError(arguments.where(), "a shape outside WorldBegin ... WorldEnd");
   if (scene.appearances.empty() || !(scene.appearances.back() == state.appearance))
@@ -146,7 +147,8 @@ void RibState::pointsPolygons(RibArguments &arguments) {
 void RibState::addPolygons(PolygonShape shape, RibArguments &arguments) {
   const Parameter *points = findParameter(shape.parameters, "P");
   if (!points)
-    throw UserError(arguments.where(), "a polygon needs its vertices, as in \"P\" [0 0 0  1 0 0  0 1 0]");
+    throw UserError(arguments.where(),
+                    "a polygon needs its vertices, as in \"P\" [0 0 0  1 0 0  0 1 0]");
   if (points->numbers.empty() || points->numbers.size() % 3 != 0)
     throw UserError(points->where, "\"P\" needs three numbers for each vertex");
   for (size_t i = 0; i < points->numbers.size(); i += 3)
@@ -159,9 +161,9 @@ void RibState::addPolygons(PolygonShape shape, RibArguments &arguments) {
     total += count;
   }
   if (total != shape.vertices.size())
-    throw UserError(arguments.where(), "the numbers of vertices add up to " + std::to_string(total) +
-                                           ", but " + std::to_string(shape.vertices.size()) +
-                                           " vertices are given");
+    throw UserError(arguments.where(),
+                    "the numbers of vertices add up to " + std::to_string(total) + ", but " +
+                        std::to_string(shape.vertices.size()) + " vertices are given");
   for (uint32_t vertex : shape.vertices)
     if (vertex >= shape.points.size())
       throw UserError(arguments.where(), "vertex " + std::to_string(vertex) + " of " +
@@ -169,8 +171,8 @@ void RibState::addPolygons(PolygonShape shape, RibArguments &arguments) {
 
   std::erase_if(shape.parameters, [](const Parameter &parameter) { return parameter.name == "P"; });
   for (const Parameter &parameter : shape.parameters) {
-    static const std::pair<const char *, size_t> known[] = {
-        {"N", 3}, {"Cs", 3}, {"Os", 3}, {"st", 2}, {"s", 1}, {"t", 1}};
+    static const std::pair<const char *, size_t> known[] = {{"N", 3},  {"Cs", 3}, {"Os", 3},
+                                                            {"st", 2}, {"s", 1},  {"t", 1}};
     auto entry = std::find_if(std::begin(known), std::end(known),
                               [&](auto &each) { return parameter.name == each.first; });
     if (entry == std::end(known)) {

@@ -38,8 +38,8 @@ struct PixelSample {
 };
 
 /// Places samples as the pixel filter weights them, so that a pixel is the plain mean of its own
-/// samples and no sample is shared between pixels (filter importance sampling). They are stratified:
-/// one in each cell of a samplesX x samplesY grid.
+/// samples and no sample is shared between pixels (filter importance sampling). They are
+/// stratified: one in each cell of a samplesX x samplesY grid.
 class PixelSampler {
 public:
   explicit PixelSampler(const SceneDescription &scene);

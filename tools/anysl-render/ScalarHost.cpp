@@ -5,8 +5,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// A plain recursive ray tracer. A point is one structure of numbers; a shader's trace() is a call of
-// the same function that shades camera rays, one level deeper.
+// A plain recursive ray tracer. A point is one structure of numbers; a shader's trace() is a call
+// of the same function that shades camera rays, one level deeper.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -32,7 +32,8 @@ public:
   ScalarHost(const SceneDescription &description, const ShaderCache &cache, Warnings &warnings)
       : theScene(description, cache, services, ANYSL_LAYOUT_AOS, 1, warnings) {}
 
-  void trace(ThreadState &state, const Ray *rays, uint32_t count, Radiance *radiance) const override {
+  void trace(ThreadState &state, const Ray *rays, uint32_t count,
+             Radiance *radiance) const override {
     for (uint32_t i = 0; i < count; ++i)
       radiance[i] = follow(state, rays[i], CameraRays, 0);
     state.counts.cameraRays += count;
@@ -45,12 +46,17 @@ private:
   Hit intersect(const Ray &ray, unsigned mask) const;
   Vec3f transmission(ThreadState &state, const Ray &ray) const;
   template <typename Real>
-  void shade(PointBatch &batch, const SurfacePoint &point, Vec3f rayOrigin, Vec3f &Ci, Vec3f &Oi) const;
+  void shade(PointBatch &batch, const SurfacePoint &point, Vec3f rayOrigin, Vec3f &Ci,
+             Vec3f &Oi) const;
 
-  static void serveTrace(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *, double *);
-  static double serveDistance(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *);
-  static void serveTransmission(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *, double *);
-  static int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to, double *matrix) {
+  static void serveTrace(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *,
+                         double *);
+  static double serveDistance(void *, const AnyslShadeArgs *, uint32_t, const double *,
+                              const double *);
+  static void serveTransmission(void *, const AnyslShadeArgs *, uint32_t, const double *,
+                                const double *, double *);
+  static int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from,
+                         const char *to, double *matrix) {
     const auto *batch = static_cast<const PointBatch *>(args->batch);
     return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
   }
@@ -60,7 +66,8 @@ private:
 };
 
 const AnyslServices ScalarHost::services = {
-    sizeof(AnyslServices), serveTrace, nullptr, serveDistance, nullptr, serveTransmission, nullptr, serveMatrix};
+    sizeof(AnyslServices), serveTrace, nullptr,    serveDistance, nullptr,
+    serveTransmission,     nullptr,    serveMatrix};
 
 /// Three numbers of a shader's, as the shared code takes the vectors of one point.
 struct Triple {
@@ -70,11 +77,21 @@ struct Triple {
 
 Hit ScalarHost::intersect(const Ray &ray, unsigned mask) const {
   RTCRayHit query;
-  query.ray = {ray.origin.x, ray.origin.y, ray.origin.z, ray.near, ray.direction.x, ray.direction.y,
-               ray.direction.z, 0, ray.far, mask, 0, 0};
+  query.ray = {ray.origin.x,
+               ray.origin.y,
+               ray.origin.z,
+               ray.near,
+               ray.direction.x,
+               ray.direction.y,
+               ray.direction.z,
+               0,
+               ray.far,
+               mask,
+               0,
+               0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  theScene.geometry().intersect<1>(nullptr, query, mask == CameraRays);
+  theScene.geometry().intersect<1>(nullptr, query);
   return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID};
 }
 
@@ -90,7 +107,8 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     }
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
     SurfacePoint point;
-    geometry.evaluate(hit, ray.origin, ray.direction, group.shader ? group.shader->needed : 0, point);
+    geometry.evaluate(hit, ray.origin, ray.direction, group.shader ? group.shader->needed : 0,
+                      point);
     Arena::Scope scope(state.arena);
     PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
     batch.starts.set(0, point);
@@ -144,8 +162,18 @@ void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, Vec3f rayOr
 
 Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {
   const Geometry &geometry = theScene.geometry();
-  RTCRay query = {ray.origin.x, ray.origin.y, ray.origin.z, ray.near, ray.direction.x,
-                  ray.direction.y, ray.direction.z, 0, ray.far, OpaqueShadowRays, 0, 0};
+  RTCRay query = {ray.origin.x,
+                  ray.origin.y,
+                  ray.origin.z,
+                  ray.near,
+                  ray.direction.x,
+                  ray.direction.y,
+                  ray.direction.z,
+                  0,
+                  ray.far,
+                  OpaqueShadowRays,
+                  0,
+                  0};
   ++state.counts.shadowRays;
   geometry.occluded<1>(nullptr, query);
   if (query.tfar < 0)

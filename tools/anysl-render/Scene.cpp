@@ -87,8 +87,8 @@ void Scene::loadShaders(const ShaderCache &cache, const AnyslServices &services,
     libraries[job.name].reset(library);
     const AnyslLibraryInfo &info = *anysl_library_info(library);
     if (info.layout != uint32_t(layout))
-      throw UserError(*job.where, job.library.string() + " is made for runtime \"" +
-                                      info.runtime + "\", whose arrays are laid out differently");
+      throw UserError(*job.where, job.library.string() + " is made for runtime \"" + info.runtime +
+                                      "\", whose arrays are laid out differently");
     if (libraries.size() > 1 && info.real != uint32_t(format))
       throw UserError(*job.where, "the scene's shaders compute in both float and double");
     format = AnyslReal(info.real);
@@ -137,8 +137,8 @@ void Scene::setParameters(SurfaceShader &shader, Warnings &warnings) {
   for (const Parameter &parameter : use.parameters) {
     const AnyslParamInfo *param = anysl_shader_param(info, parameter.name.c_str());
     if (!param) {
-      warnings.warn(parameter.where, "shader \"" + use.name + "\" has no parameter \"" +
-                                         parameter.name + "\"");
+      warnings.warn(parameter.where,
+                    "shader \"" + use.name + "\" has no parameter \"" + parameter.name + "\"");
       continue;
     }
     if (parameter.declaration && !fits(parameter.declaration->type, param->type))
@@ -150,11 +150,13 @@ void Scene::setParameters(SurfaceShader &shader, Warnings &warnings) {
       std::vector<const char *> texts;
       for (const std::string &text : parameter.strings)
         texts.push_back(text.c_str());
-      status = anysl_instance_set_strings(shader.instance.get(), param->name, texts.data(), texts.size());
+      status = anysl_instance_set_strings(shader.instance.get(), param->name, texts.data(),
+                                          texts.size());
     } else {
       // Geometric values are given in the space of the request, and shaders want camera space.
       std::vector<double> numbers = parameter.numbers;
-      bool geometric = param->type == ANYSL_POINT || param->type == ANYSL_VECTOR || param->type == ANYSL_NORMAL;
+      bool geometric =
+          param->type == ANYSL_POINT || param->type == ANYSL_VECTOR || param->type == ANYSL_NORMAL;
       for (size_t i = 0; geometric && i + 2 < numbers.size(); i += 3) {
         Vec3d value(numbers[i], numbers[i + 1], numbers[i + 2]);
         value = param->type == ANYSL_POINT    ? use.shaderToCamera.point(value)
@@ -163,7 +165,8 @@ void Scene::setParameters(SurfaceShader &shader, Warnings &warnings) {
         for (size_t k = 0; k < 3; ++k)
           numbers[i + k] = value[int(k)];
       }
-      status = anysl_instance_set_numbers(shader.instance.get(), param->name, numbers.data(), numbers.size());
+      status = anysl_instance_set_numbers(shader.instance.get(), param->name, numbers.data(),
+                                          numbers.size());
     }
     if (status != ANYSL_OK)
       throw UserError(parameter.where, anysl_last_error());
@@ -180,7 +183,8 @@ void Scene::makeGroups(Warnings &warnings) {
     auto [lights, isNew] = lightSets.try_emplace(appearance.lights);
     if (isNew)
       lights->second = makeLightSet(description, appearance.lights, warnings);
-    const SurfaceShader *shader = appearance.surface < 0 ? nullptr : shaders[size_t(appearance.surface)].get();
+    const SurfaceShader *shader =
+        appearance.surface < 0 ? nullptr : shaders[size_t(appearance.surface)].get();
     bool bySpace =
         shader && (anysl_instance_shader(shader->instance.get())->services & spacesService) != 0;
     Key key{appearance.surface, &lights->second, bySpace ? i : anyObject};

@@ -41,8 +41,8 @@ struct SurfaceShader {
   uint64_t needed = 0;  ///< those that it reads
 };
 
-/// Points that may share a batch: one shader, one set of lights, and one object where the shader may
-/// ask for "object" space.
+/// Points that may share a batch: one shader, one set of lights, and one object where the shader
+/// may ask for "object" space.
 struct ShadingGroup {
   const SurfaceShader *shader = nullptr; ///< null: the built-in default surface
   const LightSet *lights = nullptr;
@@ -55,8 +55,8 @@ class Scene {
 public:
   /// Opens the shaders' libraries and sets their parameters. `services` are the host's.
   /// Throws UserError where a shader is missing, does not compile or does not fit the host.
-  Scene(const SceneDescription &description, const ShaderCache &cache, const AnyslServices &services,
-        AnyslLayout layout, unsigned width, Warnings &warnings);
+  Scene(const SceneDescription &description, const ShaderCache &cache,
+        const AnyslServices &services, AnyslLayout layout, unsigned width, Warnings &warnings);
 
   const SceneDescription &description;
   const Camera camera;

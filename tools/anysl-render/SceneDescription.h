@@ -5,10 +5,10 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// What a reader of scene files produces and the renderer consumes: plain data, no file format and no
-// ray tracing in it. All positions are in *camera space*, the shaders' "current" space: the eye is at
-// the origin and looks along +z, x is right, y is up. So coordinates are most exact where they are
-// seen from near, however far from the world's origin the camera stands.
+// What a reader of scene files produces and the renderer consumes: plain data, no file format and
+// no ray tracing in it. All positions are in *camera space*, the shaders' "current" space: the eye
+// is at the origin and looks along +z, x is right, y is up. So coordinates are most exact where
+// they are seen from near, however far from the world's origin the camera stands.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -129,7 +129,7 @@ struct CameraDescription {
   double fov = 90; ///< degrees across the smaller side of the screen window [-1, 1]
   int width = 640, height = 480;
   double pixelAspect = 1;
-  double frameAspect = 0;                    ///< 0: from the format
+  double frameAspect = 0; ///< 0: from the format
   std::optional<std::array<double, 4>> screenWindow;
   std::array<double, 4> cropWindow{0, 1, 0, 1};
   double nearClip = 1e-10, farClip = 1e38;

@@ -85,8 +85,8 @@ void addSource(const fs::path &path, ContentHash &hash, std::vector<fs::path> &s
   }
 }
 
-/// Runs a program and waits for it; its messages go where ours go. Returns its exit status, or -1 if
-/// it did not start or was killed.
+/// Runs a program and waits for it; its messages go where ours go. Returns its exit status, or -1
+/// if it did not start or was killed.
 int run(const std::vector<std::string> &command) {
   std::vector<char *> arguments;
   for (const std::string &word : command)
@@ -130,7 +130,8 @@ fs::path ShaderCache::find(const std::string &name, const Location &where) const
   for (const fs::path &place : searchPath) {
     for (const char *suffix : {".so", ".stc.bc", ".sl", ""}) {
       fs::path path = place / (name + suffix);
-      bool known = *suffix || name.ends_with(".so") || name.ends_with(".sl") || name.ends_with(".stc.bc");
+      bool known =
+          *suffix || name.ends_with(".so") || name.ends_with(".sl") || name.ends_with(".stc.bc");
       if (known && fs::is_regular_file(path, error))
         return path.lexically_normal();
     }
@@ -138,8 +139,8 @@ fs::path ShaderCache::find(const std::string &name, const Location &where) const
     if (hasFolder && given.is_absolute())
       break;
   }
-  throw UserError(where, "shader \"" + name + "\" is not found: no " + name + ".so, .stc.bc or .sl in " +
-                             searched);
+  throw UserError(where, "shader \"" + name + "\" is not found: no " + name +
+                             ".so, .stc.bc or .sl in " + searched);
 }
 
 std::string ShaderCache::toolKey() const {
@@ -202,7 +203,8 @@ fs::path ShaderCache::library(const std::string &name, const Location &where) co
   fs::create_directories(folder, error);
   if (error)
     throw UserError("cannot make the cache folder '" + folder.string() + "': " + error.message());
-  std::string base = (folder / ("." + stem + "-" + hash.text() + "." + std::to_string(getpid()))).string();
+  std::string base =
+      (folder / ("." + stem + "-" + hash.text() + "." + std::to_string(getpid()))).string();
   struct Temporary {
     fs::path path;
     ~Temporary() {
@@ -215,9 +217,10 @@ fs::path ShaderCache::library(const std::string &name, const Location &where) co
       throw UserError(where, "shader \"" + name + "\" has to be compiled, but '" + command[0] +
                                  "' is not there");
     if (int status = run(command); status != 0)
-      throw UserError(where, "shader \"" + name + "\" (" + source.string() + ") does not compile: " +
-                                 fs::path(command[0]).filename().string() +
-                                 (status < 0 ? " was stopped" : " failed with status " + std::to_string(status)));
+      throw UserError(where, "shader \"" + name + "\" (" + source.string() +
+                                 ") does not compile: " + fs::path(command[0]).filename().string() +
+                                 (status < 0 ? " was stopped"
+                                             : " failed with status " + std::to_string(status)));
   };
   ++compiled;
   fs::path linked = source;
@@ -225,9 +228,17 @@ fs::path ShaderCache::library(const std::string &name, const Location &where) co
     step({(tools / "rslc").string(), source.string(), "-o", stc.path.string()});
     linked = stc.path;
   }
-  std::vector<std::string> link = {(tools / "anysl-link").string(), linked.string(), "-o",
-                                   library.path.string(), "--runtime", target.runtime, "--real",
-                                   target.real, "--mcpu", "native", "--width",
+  std::vector<std::string> link = {(tools / "anysl-link").string(),
+                                   linked.string(),
+                                   "-o",
+                                   library.path.string(),
+                                   "--runtime",
+                                   target.runtime,
+                                   "--real",
+                                   target.real,
+                                   "--mcpu",
+                                   "native",
+                                   "--width",
                                    target.width > 1 ? "1," + std::to_string(target.width) : "1"};
   if (!target.math.empty())
     link.insert(link.end(), {"--math", target.math});

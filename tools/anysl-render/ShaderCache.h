@@ -25,8 +25,8 @@ struct ShaderTarget {
 };
 
 /// Finds a shader's file by its name and makes a shader library of it. NAME.so is taken as it is;
-/// NAME.stc.bc is linked, NAME.sl compiled and linked, by the programs that lie beside this one, unless
-/// the cache folder has the result of the same inputs: source with all it includes, target,
+/// NAME.stc.bc is linked, NAME.sl compiled and linked, by the programs that lie beside this one,
+/// unless the cache folder has the result of the same inputs: source with all it includes, target,
 /// processor, and the tools themselves with their runtimes.
 ///
 /// Files appear in the folder under their final name only when complete, so any number of renderers

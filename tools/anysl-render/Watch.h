@@ -16,13 +16,13 @@
 
 namespace anysl::render {
 
-/// Looks whether files change. It compares times and sizes, which works for editors that write a new
-/// file in place of the old one, and on every file system.
+/// Looks whether files change. It compares times and sizes, which works for editors that write a
+/// new file in place of the old one, and on every file system.
 class Watch {
 public:
   void add(const std::vector<std::filesystem::path> &files);
-  /// Whether a file has changed since it was added. Cheap: it looks five times a second at most. Any
-  /// thread may ask.
+  /// Whether a file has changed since it was added. Cheap: it looks five times a second at most.
+  /// Any thread may ask.
   bool changed();
   /// Waits until changed().
   void wait();

@@ -71,25 +71,26 @@ void writeStats(const Options &options, const SceneDescription &scene, const Ren
   FILE *file = options.statsFile == "-" ? stdout : std::fopen(options.statsFile.c_str(), "w");
   if (!file)
     throw UserError("cannot write '" + options.statsFile + "'");
-  std::fprintf(file,
-               "{\"runtime\": \"%s\", \"real\": \"%s\", \"width\": %u, \"threads\": %u, "
-               "\"size\": [%d, %d], \"samples\": %d, \"setup_seconds\": %.6f, \"seconds\": %.6f, "
-               "\"shading_seconds\": %.6f, \"camera_rays\": %llu, \"trace_rays\": %llu, "
-               "\"shadow_rays\": %llu, \"points\": %llu, \"batches\": %llu, \"bad_pixels\": %llu}\n",
-               options.target.runtime.c_str(), options.target.real.c_str(), options.target.width,
-               threads, scene.camera.width, scene.camera.height, scene.samplesX * scene.samplesY,
-               setupSeconds, result.seconds, result.shadingSeconds,
-               (unsigned long long)counts.cameraRays, (unsigned long long)counts.traceRays,
-               (unsigned long long)counts.shadowRays, (unsigned long long)counts.points,
-               (unsigned long long)counts.batches, (unsigned long long)result.film.badPixels);
+  std::fprintf(
+      file,
+      "{\"runtime\": \"%s\", \"real\": \"%s\", \"width\": %u, \"threads\": %u, "
+      "\"size\": [%d, %d], \"samples\": %d, \"setup_seconds\": %.6f, \"seconds\": %.6f, "
+      "\"shading_seconds\": %.6f, \"camera_rays\": %llu, \"trace_rays\": %llu, "
+      "\"shadow_rays\": %llu, \"points\": %llu, \"batches\": %llu, \"bad_pixels\": %llu}\n",
+      options.target.runtime.c_str(), options.target.real.c_str(), options.target.width, threads,
+      scene.camera.width, scene.camera.height, scene.samplesX * scene.samplesY, setupSeconds,
+      result.seconds, result.shadingSeconds, (unsigned long long)counts.cameraRays,
+      (unsigned long long)counts.traceRays, (unsigned long long)counts.shadowRays,
+      (unsigned long long)counts.points, (unsigned long long)counts.batches,
+      (unsigned long long)result.film.badPixels);
   if (file != stdout && std::fclose(file) != 0)
     throw UserError("cannot write '" + options.statsFile + "'");
 }
 
-/// Renders one picture and has the files it was made from watched. Returns false if a change of one of
-/// them ended it early.
-bool renderScene(const Options &options, const SceneDescription &scene, Watch *watch, unsigned threads,
-                 Warnings &warnings) {
+/// Renders one picture and has the files it was made from watched. Returns false if a change of one
+/// of them ended it early.
+bool renderScene(const Options &options, const SceneDescription &scene, Watch *watch,
+                 unsigned threads, Warnings &warnings) {
   auto begin = std::chrono::steady_clock::now();
   for (const OutputFile &output : scene.outputs)
     checkOutput(output);
@@ -130,9 +131,9 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
     names += (names.empty() ? "" : ", ") + imageFileName(output);
   }
   if (!options.quiet)
-    std::fprintf(stderr, "%s: %dx%d, %s %s, width %u: %.2f s%s\n", names.c_str(), scene.camera.width,
-                 scene.camera.height, options.target.runtime.c_str(), options.target.real.c_str(),
-                 options.target.width, result.seconds,
+    std::fprintf(stderr, "%s: %dx%d, %s %s, width %u: %.2f s%s\n", names.c_str(),
+                 scene.camera.width, scene.camera.height, options.target.runtime.c_str(),
+                 options.target.real.c_str(), options.target.width, result.seconds,
                  cache.compilations() ? ", shaders compiled before" : "");
   writeStats(options, scene, result, setup, threads);
   return true;
@@ -174,7 +175,8 @@ int main(int count, char **arguments) {
       std::puts("anysl-render " ANYSL_VERSION);
       return 0;
     }
-    unsigned threads = options.threads ? options.threads : unsigned(tbb::info::default_concurrency());
+    unsigned threads =
+        options.threads ? options.threads : unsigned(tbb::info::default_concurrency());
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     if (options.watch)
       watchFile(options, threads);

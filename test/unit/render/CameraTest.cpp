@@ -1,4 +1,5 @@
-//===-- test/unit/render/CameraTest.cpp - camera rays and named spaces -------------------------===//
+//===-- test/unit/render/CameraTest.cpp - camera rays and named spaces
+//-------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,4 +1,5 @@
-//===-- test/unit/render/GeometryTest.cpp - surfaces, rays and their starts --------------------===//
+//===-- test/unit/render/GeometryTest.cpp - surfaces, rays and their starts
+//--------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -26,10 +27,20 @@ struct TestScene {
   }
   Hit shoot(const Ray &ray, unsigned mask = CameraRays) const {
     RTCRayHit query;
-    query.ray = {ray.origin.x, ray.origin.y, ray.origin.z, ray.near, ray.direction.x, ray.direction.y,
-                 ray.direction.z, 0, ray.far, mask, 0, 0};
+    query.ray = {ray.origin.x,
+                 ray.origin.y,
+                 ray.origin.z,
+                 ray.near,
+                 ray.direction.x,
+                 ray.direction.y,
+                 ray.direction.z,
+                 0,
+                 ray.far,
+                 mask,
+                 0,
+                 0};
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    geometry->intersect<1>(nullptr, query, false);
+    geometry->intersect<1>(nullptr, query);
     return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID};
   }
   SceneDescription description;
@@ -66,8 +77,8 @@ Ray restart(const SurfacePoint &point, Vec3d direction) {
 /// often it meets the convex object that it starts from.
 void checkRestarts(const std::string &shape, double scale) {
   std::string s = std::to_string(scale);
-  TestScene scene("WorldBegin Translate 0 0 " + std::to_string(4 * scale) + " Scale " + s + " " + s +
-                  " " + s + " Rotate 30 1 2 3 " + shape + " WorldEnd");
+  TestScene scene("WorldBegin Translate 0 0 " + std::to_string(4 * scale) + " Scale " + s + " " +
+                  s + " " + s + " Rotate 30 1 2 3 " + shape + " WorldEnd");
   int starts = 0, falseHits = 0;
   for (uint32_t i = 0; i < 100000; ++i) {
     Ray ray;
@@ -83,7 +94,8 @@ void checkRestarts(const std::string &shape, double scale) {
       direction = -direction;
     // Grazing directions are the hard ones.
     if (i % 2)
-      direction = normalized(direction - point.frame.normal * (dot(direction, point.frame.normal) * 0.9999));
+      direction = normalized(direction -
+                             point.frame.normal * (dot(direction, point.frame.normal) * 0.9999));
     // Rounding may tip a tangent to the inner side.
     if (dot(Vec3d(Vec3f(direction)), point.frame.normal) < 1e-6)
       continue;
@@ -116,7 +128,8 @@ TEST_CASE("rays that start on a large floor near the eye do not meet it", "[geom
   int falseHits = 0;
   for (uint32_t i = 0; i < 20000; ++i) {
     Ray ray;
-    ray.direction = Vec3f(normalized(Vec3d(unitNumber(hash(i, 1)) - 0.5, -0.5, unitNumber(hash(i, 2)))));
+    ray.direction =
+        Vec3f(normalized(Vec3d(unitNumber(hash(i, 1)) - 0.5, -0.5, unitNumber(hash(i, 2)))));
     Hit hit = scene.shoot(ray);
     REQUIRE(hit.isHit());
     SurfacePoint point;
@@ -139,15 +152,17 @@ TEST_CASE("a camera far from the world's origin sees as exactly as one near it",
 }
 
 TEST_CASE("packets find what single rays find", "[geometry]") {
-  TestScene scene("WorldBegin Translate 0 0 4 Sphere 1 -0.5 1 270 Translate 1.5 0 0 Cylinder 0.5 -1 1 360 "
-                  "Translate -3 0 0 Polygon \"P\" [-0.5 -1 0  0.5 -1 0  0 1 0.5] WorldEnd");
+  TestScene scene(
+      "WorldBegin Translate 0 0 4 Sphere 1 -0.5 1 270 Translate 1.5 0 0 Cylinder 0.5 -1 1 360 "
+      "Translate -3 0 0 Polygon \"P\" [-0.5 -1 0  0.5 -1 0  0 1 0.5] WorldEnd");
   for (uint32_t group = 0; group < 64; ++group) {
     RTCRayHit16 packet = {};
     alignas(64) int valid[16];
     Ray rays[16];
     for (uint32_t i = 0; i < 16; ++i) {
-      rays[i].direction = Vec3f(normalized(
-          Vec3d(unitNumber(hash(group, 2 * i)) * 1.6 - 0.8, unitNumber(hash(group, 2 * i + 1)) * 0.8 - 0.4, 1)));
+      rays[i].direction =
+          Vec3f(normalized(Vec3d(unitNumber(hash(group, 2 * i)) * 1.6 - 0.8,
+                                 unitNumber(hash(group, 2 * i + 1)) * 0.8 - 0.4, 1)));
       valid[i] = i % 5 ? -1 : 0;
       packet.ray.dir_x[i] = rays[i].direction.x;
       packet.ray.dir_y[i] = rays[i].direction.y;
@@ -156,7 +171,7 @@ TEST_CASE("packets find what single rays find", "[geometry]") {
       packet.ray.mask[i] = CameraRays;
       packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     }
-    scene.geometry->intersect<16>(valid, packet, true);
+    scene.geometry->intersect<16>(valid, packet);
     for (uint32_t i = 0; i < 16; ++i) {
       if (!valid[i]) {
         CHECK(packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID);
@@ -173,10 +188,11 @@ TEST_CASE("packets find what single rays find", "[geometry]") {
 }
 
 TEST_CASE("visibility hides surfaces from kinds of rays", "[geometry]") {
-  TestScene scene("WorldBegin Translate 0 0 4 AttributeBegin Attribute \"visibility\" \"camera\" [0] "
-                  "Sphere 1 -1 1 360 AttributeEnd AttributeBegin Attribute \"visibility\" \"trace\" [0] "
-                  "\"transmission\" [\"transparent\"] Translate 0 0 4 Sphere 1 -1 1 360 AttributeEnd "
-                  "Opacity 0.5 0.5 0.5 Translate 0 0 8 Sphere 1 -1 1 360 WorldEnd");
+  TestScene scene(
+      "WorldBegin Translate 0 0 4 AttributeBegin Attribute \"visibility\" \"camera\" [0] "
+      "Sphere 1 -1 1 360 AttributeEnd AttributeBegin Attribute \"visibility\" \"trace\" [0] "
+      "\"transmission\" [\"transparent\"] Translate 0 0 4 Sphere 1 -1 1 360 AttributeEnd "
+      "Opacity 0.5 0.5 0.5 Translate 0 0 8 Sphere 1 -1 1 360 WorldEnd");
   Ray ray;
   ray.direction = {0, 0, 1};
   CHECK(scene.shoot(ray, CameraRays).t == 7);
@@ -235,7 +251,8 @@ TEST_CASE("rays that shaders ask for, one or sixteen at once", "[geometry]") {
   for (uint32_t i = 0; i < 16; ++i) {
     CHECK(rays.origin[2][i] < here[32 + i]); // on the side that the light is on
     AskedRays single;
-    float from[3] = {here[i], here[16 + i], here[32 + i]}, to[3] = {light[i], light[16 + i], light[32 + i]};
+    float from[3] = {here[i], here[16 + i], here[32 + i]},
+          to[3] = {light[i], light[16 + i], light[32 + i]};
     makeShadowRays(starts, i, 1, from, to, single);
     CHECK(single.ray(0, 0).origin == rays.ray(i, 0).origin);
     CHECK(single.ray(0, 0).direction == rays.ray(i, 0).direction);
@@ -245,9 +262,9 @@ TEST_CASE("rays that shaders ask for, one or sixteen at once", "[geometry]") {
   CHECK_FALSE(rays.valid[3]);
 
   float directions[48] = {};
-  directions[0] = 1e30f;                       // long
-  directions[1] = 1e-30f;                      // short
-  directions[2] = NAN;                         // none, as all that follow
+  directions[0] = 1e30f;  // long
+  directions[1] = 1e-30f; // short
+  directions[2] = NAN;    // none, as all that follow
   makeTraceRays(starts, 0, 16, light, directions, rays);
   CHECK(rays.valid[0]);
   CHECK(rays.ray(0, 0).direction == Vec3f(1, 0, 0));
@@ -255,4 +272,61 @@ TEST_CASE("rays that shaders ask for, one or sixteen at once", "[geometry]") {
   CHECK(rays.ray(1, 0).direction == Vec3f(1, 0, 0));
   for (uint32_t i = 2; i < 16; ++i)
     CHECK_FALSE(rays.valid[i]);
+}
+
+TEST_CASE("a tessellated sphere with normals has no steps at the shadow terminator", "[geometry]") {
+  const double pi = 3.14159265358979323846;
+  std::string counts, vertices, points;
+  const int columns = 24, rows = 12;
+  for (int row = 0; row <= rows; ++row)
+    for (int column = 0; column <= columns; ++column) {
+      double theta = 2 * pi * column / columns, phi = pi * (double(row) / rows - 0.5);
+      for (double x :
+           {std::cos(phi) * std::cos(theta), std::cos(phi) * std::sin(theta), std::sin(phi)})
+        points += std::to_string(x) + " ";
+    }
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      int corner = row * (columns + 1) + column;
+      counts += "3 3 ";
+      for (int vertex : {corner, corner + 1, corner + columns + 2, corner, corner + columns + 2,
+                         corner + columns + 1})
+        vertices += std::to_string(vertex) + " ";
+    }
+  TestScene scene("WorldBegin Translate 0 0 4 PointsPolygons [" + counts + "] [" + vertices +
+                  "] \"P\" [" + points + "] \"N\" [" + points + "] WorldEnd");
+  Arena arena;
+  double darkest = 0;
+  int tried = 0;
+  for (uint32_t i = 0; i < 40000; ++i) {
+    Ray ray;
+    ray.direction = Vec3f(normalized(
+        Vec3d(unitNumber(hash(i, 1)) * 0.5 - 0.25, unitNumber(hash(i, 2)) * 0.5 - 0.25, 1)));
+    Hit hit = scene.shoot(ray);
+    if (!hit.isHit())
+      continue;
+    SurfacePoint point;
+    scene.geometry->evaluate(hit, ray.origin, ray.direction, 0, point);
+    // Directions near the terminator, on its lit side.
+    Vec3d toLight = randomDirection(i);
+    toLight = normalized(toLight - point.normal * dot(toLight, point.normal));
+    toLight = normalized(toLight + point.normal * (0.25 * unitNumber(hash(i, 3))));
+    Arena::Scope scope(arena);
+    RayStarts starts(arena, 1);
+    starts.set(0, point);
+    float from[3], to[3];
+    for (int k = 0; k < 3; ++k) {
+      from[k] = float(point.frame.P[k]);
+      to[k] = from[k] + float(100 * toLight[k]);
+    }
+    AskedRays rays;
+    makeShadowRays(starts, 0, 1, from, to, rays);
+    REQUIRE(rays.valid[0]);
+    ++tried;
+    if (scene.shoot(rays.ray(0, 0), OpaqueShadowRays).isHit())
+      darkest = std::max(darkest, dot(point.normal, toLight));
+  }
+  CHECK(tried > 10000);
+  // What a white surface loses there, in parts of full light.
+  CHECK(darkest < 1.0 / 255);
 }

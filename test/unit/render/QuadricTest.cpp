@@ -1,4 +1,5 @@
-//===-- test/unit/render/QuadricTest.cpp - exact quadrics --------------------------------------===//
+//===-- test/unit/render/QuadricTest.cpp - exact quadrics
+//--------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -46,9 +47,9 @@ QuadricShape shapeOf(QuadricShape::Kind kind) {
   return shape;
 }
 
-const QuadricShape::Kind kinds[] = {QuadricShape::Sphere,      QuadricShape::Cone,
-                                    QuadricShape::Cylinder,    QuadricShape::Hyperboloid,
-                                    QuadricShape::Paraboloid,  QuadricShape::Disk};
+const QuadricShape::Kind kinds[] = {QuadricShape::Sphere,     QuadricShape::Cone,
+                                    QuadricShape::Cylinder,   QuadricShape::Hyperboloid,
+                                    QuadricShape::Paraboloid, QuadricShape::Disk};
 
 /// The position that the RenderMan Interface gives for (u, v), in object space.
 Vec3d position(const QuadricShape &s, double u, double v) {
@@ -117,8 +118,12 @@ TEST_CASE("a ray to a quadric's point hits it, with the parameters and derivativ
         CHECK(frame.v == Approx(v).margin(1e-4));
         // Central differences of the parametric form.
         const double h = 1e-6;
-        Vec3d dPdu = place.vector((position(shape, frame.u + h, frame.v) - position(shape, frame.u - h, frame.v)) * (0.5 / h));
-        Vec3d dPdv = place.vector((position(shape, frame.u, frame.v + h) - position(shape, frame.u, frame.v - h)) * (0.5 / h));
+        Vec3d dPdu = place.vector(
+            (position(shape, frame.u + h, frame.v) - position(shape, frame.u - h, frame.v)) *
+            (0.5 / h));
+        Vec3d dPdv = place.vector(
+            (position(shape, frame.u, frame.v + h) - position(shape, frame.u, frame.v - h)) *
+            (0.5 / h));
         CHECK(maxAbs(frame.dPdu - dPdu) < 1e-6 * (1 + maxAbs(dPdu)));
         CHECK(maxAbs(frame.dPdv - dPdv) < 1e-6 * (1 + maxAbs(dPdv)));
         // The normal points as dPdu x dPdv does (this placement mirrors nothing).
@@ -138,7 +143,8 @@ TEST_CASE("a sphere's normal points outwards, also in a mirrored space, and turn
     for (bool reversed : {false, true}) {
       Appearance appearance;
       appearance.reverseOrientation = reversed;
-      Matrix4 place = Matrix4::scaling({mirrored ? -1.0 : 1.0, 1, 1}) * Matrix4::translation({0, 0, 5});
+      Matrix4 place =
+          Matrix4::scaling({mirrored ? -1.0 : 1.0, 1, 1}) * Matrix4::translation({0, 0, 5});
       Quadric quadric(shape, place, appearance);
       SurfaceFrame frame = quadric.evaluate({}, {0, 0, 1}, 4);
       CHECK(normalized(frame.normal).z == Approx(reversed ? 1 : -1));
@@ -205,7 +211,8 @@ TEST_CASE("an evaluated hit lies on the surface to double precision", "[quadric]
     Numbers numbers;
     double worst = 0;
     for (int i = 0; i < 500; ++i) {
-      Vec3d target = position(shape, numbers.between(0.1, 0.9), numbers.between(0.1, 0.9)) + Vec3d(0, 0, 1000);
+      Vec3d target =
+          position(shape, numbers.between(0.1, 0.9), numbers.between(0.1, 0.9)) + Vec3d(0, 0, 1000);
       Vec3f origin(Vec3f(target) + Vec3f(0.1f, 2, -3));
       Vec3f direction = Vec3f(normalized(target - Vec3d(origin)));
       double t = intersect(quadric, origin, direction);
@@ -221,7 +228,8 @@ TEST_CASE("an evaluated hit lies on the surface to double precision", "[quadric]
 }
 
 TEST_CASE("wide and single roots are the same numbers", "[quadric]") {
-  Quadric quadric(shapeOf(QuadricShape::Hyperboloid), Matrix4::translation({0, 0, 4}), Appearance());
+  Quadric quadric(shapeOf(QuadricShape::Hyperboloid), Matrix4::translation({0, 0, 4}),
+                  Appearance());
   Numbers numbers;
   float rays[7 * 16];
   for (float &value : rays)

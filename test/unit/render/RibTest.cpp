@@ -1,4 +1,5 @@
-//===-- test/unit/render/RibTest.cpp - scene files ---------------------------------------------===//
+//===-- test/unit/render/RibTest.cpp - scene files
+//---------------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -37,7 +38,8 @@ using Catch::StartsWith;
 
 TEST_CASE("numbers, strings, comments and arrays are read as RIB writes them", "[rib]") {
   auto scene = read("# a comment\n##RenderMan RIB\nFormat 32 +16 .5e1 WorldBegin # more\n"
-                    "Surface \"a\\\"b\\n\\101\" \"x\"[-1 .25 1e2]\"y\" [\"p\" \"q\"] WorldEnd").at(0);
+                    "Surface \"a\\\"b\\n\\101\" \"x\"[-1 .25 1e2]\"y\" [\"p\" \"q\"] WorldEnd")
+                   .at(0);
   CHECK(scene.camera.width == 32);
   CHECK(scene.camera.height == 16);
   CHECK(scene.camera.pixelAspect == 5);
@@ -49,7 +51,8 @@ TEST_CASE("numbers, strings, comments and arrays are read as RIB writes them", "
 
 TEST_CASE("declarations are read inline and from Declare", "[rib]") {
   auto scene = read("Declare \"warmth\" \"varying color[2]\" WorldBegin Surface \"s\" "
-                    "\"uniform point at\" [1 2 3] \"warmth\" [1 2 3 4 5 6] \"plain\" 7 WorldEnd").at(0);
+                    "\"uniform point at\" [1 2 3] \"warmth\" [1 2 3 4 5 6] \"plain\" 7 WorldEnd")
+                   .at(0);
   const ParameterList &list = scene.surfaces.at(0).parameters;
   CHECK(list.at(0).name == "at");
   CHECK(list.at(0).declaration->type == ValueType::Point);
@@ -63,8 +66,10 @@ TEST_CASE("declarations are read inline and from Declare", "[rib]") {
 TEST_CASE("a transformation applies to what follows, nearest first", "[rib]") {
   auto scene = read("Translate 0 0 10 WorldBegin Translate 1 0 0 Scale 2 2 2 TransformBegin "
                     "CoordinateSystem \"here\" Rotate 90 0 0 1 Sphere 1 -1 1 360 TransformEnd "
-                    "Sphere 1 -1 1 360 Identity Sphere 1 -1 1 360 Transform [1 0 0 0 0 1 0 0 0 0 1 0 5 6 7 1] "
-                    "Sphere 1 -1 1 360 WorldEnd").at(0);
+                    "Sphere 1 -1 1 360 Identity Sphere 1 -1 1 360 Transform [1 0 0 0 0 1 0 0 0 0 1 "
+                    "0 5 6 7 1] "
+                    "Sphere 1 -1 1 360 WorldEnd")
+                   .at(0);
   auto at = [&](size_t shape, Vec3d p) { return scene.shapes.at(shape).objectToCamera.point(p); };
   CHECK(maxAbs(at(0, {1, 0, 0}) - Vec3d(1, 2, 10)) < 1e-12);
   CHECK(at(1, {1, 0, 0}) == Vec3d(3, 0, 10));
@@ -74,9 +79,12 @@ TEST_CASE("a transformation applies to what follows, nearest first", "[rib]") {
 }
 
 TEST_CASE("attributes are saved and restored", "[rib]") {
-  auto scene = read("WorldBegin LightSource \"pointlight\" 1 LightSource \"distantlight\" \"sun\" Color 1 0 0 "
-                    "AttributeBegin Color [0 1 0] Illuminate 1 0 ReverseOrientation Sphere 1 -1 1 360 AttributeEnd "
-                    "Sphere 1 -1 1 360 WorldEnd").at(0);
+  auto scene = read("WorldBegin LightSource \"pointlight\" 1 LightSource \"distantlight\" \"sun\" "
+                    "Color 1 0 0 "
+                    "AttributeBegin Color [0 1 0] Illuminate 1 0 ReverseOrientation Sphere 1 -1 1 "
+                    "360 AttributeEnd "
+                    "Sphere 1 -1 1 360 WorldEnd")
+                   .at(0);
   const Appearance &inner = scene.appearances.at(scene.shapes.at(0).appearance);
   const Appearance &outer = scene.appearances.at(scene.shapes.at(1).appearance);
   CHECK(inner.color == Vec3d(0, 1, 0));
@@ -88,8 +96,10 @@ TEST_CASE("attributes are saved and restored", "[rib]") {
 }
 
 TEST_CASE("each world of a file is a scene, and frames restore options", "[rib]") {
-  auto scenes = read("Format 10 10 1 FrameBegin 1 Format 20 20 1 Display \"a.png\" \"file\" \"rgb\" WorldBegin WorldEnd "
-                     "FrameEnd FrameBegin 2 Display \"b.png\" \"file\" \"rgba\" Display \"+b.exr\" \"openexr\" \"rgba\" "
+  auto scenes = read("Format 10 10 1 FrameBegin 1 Format 20 20 1 Display \"a.png\" \"file\" "
+                     "\"rgb\" WorldBegin WorldEnd "
+                     "FrameEnd FrameBegin 2 Display \"b.png\" \"file\" \"rgba\" Display \"+b.exr\" "
+                     "\"openexr\" \"rgba\" "
                      "WorldBegin WorldEnd FrameEnd");
   REQUIRE(scenes.size() == 2);
   CHECK(scenes[0].camera.width == 20);
@@ -101,50 +111,80 @@ TEST_CASE("each world of a file is a scene, and frames restore options", "[rib]"
 }
 
 TEST_CASE("orientations count from the handedness of the space", "[rib]") {
-  auto scene = read("WorldBegin Orientation \"rh\" Sphere 1 -1 1 360 Scale -1 1 1 Orientation \"rh\" "
-                    "Sphere 1 -1 1 360 Orientation \"inside\" Sphere 1 -1 1 360 WorldEnd").at(0);
-  auto reversed = [&](size_t shape) { return scene.appearances.at(scene.shapes.at(shape).appearance).reverseOrientation; };
+  auto scene =
+      read("WorldBegin Orientation \"rh\" Sphere 1 -1 1 360 Scale -1 1 1 Orientation \"rh\" "
+           "Sphere 1 -1 1 360 Orientation \"inside\" Sphere 1 -1 1 360 WorldEnd")
+          .at(0);
+  auto reversed = [&](size_t shape) {
+    return scene.appearances.at(scene.shapes.at(shape).appearance).reverseOrientation;
+  };
   CHECK(reversed(0));
   CHECK_FALSE(reversed(1));
   CHECK(reversed(2));
 }
 
 TEST_CASE("what cannot be understood is refused with its place", "[rib]") {
-  CHECK_THAT(errorOf("WorldBegin\n  Sphere 1 -1 x\nWorldEnd"), StartsWith("scene.rib:2:3: error: Sphere: radius, zmin, zmax and sweep is missing"));
-  CHECK_THAT(errorOf("WorldBegin Sphere 1 -1 \"1\" 360 WorldEnd"), StartsWith("scene.rib:1:24: error: Sphere: radius, zmin, zmax and sweep: expected a number, found a string\n  WorldBegin Sphere 1 -1 \"1\" 360 WorldEnd\n                         ^\n"));
-  CHECK_THAT(errorOf("Color [1 2] 3"), StartsWith("scene.rib:1:7: error: Color: a colour: expected 3 numbers, found 2"));
-  CHECK_THAT(errorOf("Display \"x"), StartsWith("scene.rib:1:9: error: a string without its closing quote"));
-  CHECK_THAT(errorOf("Color [1 2"), StartsWith("scene.rib:1:7: error: an array without its closing ']'"));
+  CHECK_THAT(errorOf("WorldBegin\n  Sphere 1 -1 x\nWorldEnd"),
+             StartsWith("scene.rib:2:3: error: Sphere: radius, zmin, zmax and sweep is missing"));
+  CHECK_THAT(
+      errorOf("WorldBegin Sphere 1 -1 \"1\" 360 WorldEnd"),
+      StartsWith(
+          "scene.rib:1:24: error: Sphere: radius, zmin, zmax and sweep: expected a number, found a "
+          "string\n  WorldBegin Sphere 1 -1 \"1\" 360 WorldEnd\n                         ^\n"));
+  CHECK_THAT(errorOf("Color [1 2] 3"),
+             StartsWith("scene.rib:1:7: error: Color: a colour: expected 3 numbers, found 2"));
+  CHECK_THAT(errorOf("Display \"x"),
+             StartsWith("scene.rib:1:9: error: a string without its closing quote"));
+  CHECK_THAT(errorOf("Color [1 2"),
+             StartsWith("scene.rib:1:7: error: an array without its closing ']'"));
   CHECK_THAT(errorOf("Color 1 1 1]"), StartsWith("scene.rib:1:12: error: ']' without '['"));
-  CHECK_THAT(errorOf("Color [1 \"2\" 3]"), StartsWith("scene.rib:1:10: error: an array of both numbers and strings"));
+  CHECK_THAT(errorOf("Color [1 \"2\" 3]"),
+             StartsWith("scene.rib:1:10: error: an array of both numbers and strings"));
   CHECK_THAT(errorOf("Color 1.2.3 1 1"), StartsWith("scene.rib:1:7: error: this is not a number"));
-  CHECK_THAT(errorOf("Color 1 1 1 1"), StartsWith("scene.rib:1:13: error: Color: more arguments than expected"));
+  CHECK_THAT(errorOf("Color 1 1 1 1"),
+             StartsWith("scene.rib:1:13: error: Color: more arguments than expected"));
   CHECK_THAT(errorOf("1 2 3"), StartsWith("scene.rib:1:1: error: expected the name of a request"));
   CHECK_THAT(errorOf("\x80"), StartsWith("scene.rib:1:1: error: a byte that is no text"));
   CHECK_THAT(errorOf("Color ;"), StartsWith("scene.rib:1:7: error: unexpected character ';'"));
-  CHECK_THAT(errorOf("Surface \"s\" \"nonsense x\" 1"), StartsWith("scene.rib:1:13: error: \"nonsense x\" is not a declaration"));
-  CHECK_THAT(errorOf("Surface \"s\" \"Kd\""), StartsWith("scene.rib:1:13: error: Surface: parameter \"Kd\" has no value"));
+  CHECK_THAT(errorOf("Surface \"s\" \"nonsense x\" 1"),
+             StartsWith("scene.rib:1:13: error: \"nonsense x\" is not a declaration"));
+  CHECK_THAT(errorOf("Surface \"s\" \"Kd\""),
+             StartsWith("scene.rib:1:13: error: Surface: parameter \"Kd\" has no value"));
 }
 
 TEST_CASE("blocks have to match", "[rib]") {
-  CHECK_THAT(errorOf("WorldBegin AttributeBegin"), StartsWith("scene.rib:1:12: error: AttributeBegin without its end"));
-  CHECK_THAT(errorOf("WorldBegin AttributeBegin WorldEnd"), StartsWith("scene.rib:1:27: error: WorldEnd does not match the open block"));
-  CHECK_THAT(errorOf("Sphere 1 -1 1 360"), StartsWith("scene.rib:1:1: error: a shape outside WorldBegin ... WorldEnd"));
-  CHECK_THAT(errorOf("Format 1 1 1"), StartsWith("scene.rib:1:13: error: the file has no WorldBegin ... WorldEnd"));
+  CHECK_THAT(errorOf("WorldBegin AttributeBegin"),
+             StartsWith("scene.rib:1:12: error: AttributeBegin without its end"));
+  CHECK_THAT(errorOf("WorldBegin AttributeBegin WorldEnd"),
+             StartsWith("scene.rib:1:27: error: WorldEnd does not match the open block"));
+  CHECK_THAT(errorOf("Sphere 1 -1 1 360"),
+             StartsWith("scene.rib:1:1: error: a shape outside WorldBegin ... WorldEnd"));
+  CHECK_THAT(errorOf("Format 1 1 1"),
+             StartsWith("scene.rib:1:13: error: the file has no WorldBegin ... WorldEnd"));
 }
 
 TEST_CASE("polygons are checked", "[rib]") {
-  CHECK_THAT(errorOf("WorldBegin Polygon WorldEnd"), StartsWith("scene.rib:1:12: error: a polygon needs its vertices"));
-  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 1] WorldEnd"), StartsWith("scene.rib:1:20: error: \"P\" needs three numbers"));
-  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 1 1] WorldEnd"), StartsWith("scene.rib:1:12: error: a polygon needs at least 3 vertices"));
-  CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1 7] \"P\" [0 0 0 1 0 0 0 1 0] WorldEnd"), StartsWith("scene.rib:1:12: error: vertex 7 of 3 in \"P\""));
-  CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1] \"P\" [0 0 0 1 0 0 0 1 0] WorldEnd"), StartsWith("scene.rib:1:12: error: the numbers of vertices add up to 3, but 2 vertices are given"));
-  CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1 -2] \"P\" [0 0 0] WorldEnd"), StartsWith("scene.rib:1:31: error: PointsPolygons: the vertices: -2"));
-  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 0 0 0 1 0] \"st\" [0 0 1] WorldEnd"), StartsWith("scene.rib:1:44: error: \"st\": expected 6 numbers"));
+  CHECK_THAT(errorOf("WorldBegin Polygon WorldEnd"),
+             StartsWith("scene.rib:1:12: error: a polygon needs its vertices"));
+  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 1] WorldEnd"),
+             StartsWith("scene.rib:1:20: error: \"P\" needs three numbers"));
+  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 1 1] WorldEnd"),
+             StartsWith("scene.rib:1:12: error: a polygon needs at least 3 vertices"));
+  CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1 7] \"P\" [0 0 0 1 0 0 0 1 0] WorldEnd"),
+             StartsWith("scene.rib:1:12: error: vertex 7 of 3 in \"P\""));
+  CHECK_THAT(
+      errorOf("WorldBegin PointsPolygons [3] [0 1] \"P\" [0 0 0 1 0 0 0 1 0] WorldEnd"),
+      StartsWith(
+          "scene.rib:1:12: error: the numbers of vertices add up to 3, but 2 vertices are given"));
+  CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1 -2] \"P\" [0 0 0] WorldEnd"),
+             StartsWith("scene.rib:1:31: error: PointsPolygons: the vertices: -2"));
+  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 0 0 0 1 0] \"st\" [0 0 1] WorldEnd"),
+             StartsWith("scene.rib:1:44: error: \"st\": expected 6 numbers"));
 }
 
 TEST_CASE("declarations that are none", "[rib]") {
-  for (const char *text : {"", "uniform", "float", "uniform float", "float a b", "float[x] a", "float[0] a", "float[3 a", "colour a"}) {
+  for (const char *text : {"", "uniform", "float", "uniform float", "float a b", "float[x] a",
+                           "float[0] a", "float[3 a", "colour a"}) {
     std::string name;
     CHECK_THROWS_AS(parseDeclaration(text, &name, {}), UserError);
   }

@@ -1,4 +1,5 @@
-//===-- test/unit/render/SamplingTest.cpp - random numbers and pixel samples -------------------===//
+//===-- test/unit/render/SamplingTest.cpp - random numbers and pixel samples
+//-------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -31,7 +32,9 @@ TEST_CASE("samples are spread as the filter weighs", "[sampling]") {
   struct {
     FilterKind kind;
     double variance;
-  } const cases[] = {{FilterKind::Box, 1.0 / 12}, {FilterKind::Triangle, 1.0 / 24}, {FilterKind::Gaussian, gaussian}};
+  } const cases[] = {{FilterKind::Box, 1.0 / 12},
+                     {FilterKind::Triangle, 1.0 / 24},
+                     {FilterKind::Gaussian, gaussian}};
   for (auto [kind, variance] : cases) {
     double width = 3;
     PixelSampler sampler(sceneWith(kind, width));
@@ -68,7 +71,8 @@ TEST_CASE("seeds differ between pixels and samples, and come out the same again"
       for (unsigned i = 0; i < 16; ++i)
         seeds.insert(sampler.sample(x, y, i).seed);
   CHECK(seeds.size() == 4096);
-  CHECK(sampler.sample(3, 4, 5).seed == PixelSampler(sceneWith(FilterKind::Box, 1)).sample(3, 4, 5).seed);
+  CHECK(sampler.sample(3, 4, 5).seed ==
+        PixelSampler(sceneWith(FilterKind::Box, 1)).sample(3, 4, 5).seed);
 }
 
 TEST_CASE("every bit of a hash depends on every bit of what is hashed", "[sampling]") {
