@@ -85,11 +85,6 @@ inline constexpr double LogU10[9] = {
     -0x1.555c5bca15326p-3, 0x1.233771aaf1915p-3,  -0x1.fc20869e32a63p-4,
     0x1.e6ee3e1875bf2p-4,  -0x1.de4287362f6d6p-4, 0x1.146382d6e4292p-4,
 };
-/// atanh s = s + s z P(z), the same range. Error 2^-22.7.
-inline constexpr double AtanhFast[2] = {
-    0x1.5546db64042eap-2,
-    0x1.a5e8fee1b619ep-3,
-};
 /// atanh s = s + s z P(z), the same range. Error 2^-37.6.
 inline constexpr double AtanhPow[4] = {
     0x1.555554fdefc62p-2,

@@ -316,19 +316,41 @@ ANYSL_TIER float log10InDouble(float x) {
 
 //===-- pow -----------------------------------------------------------------//
 
-/// log2 |x| with −inf for 0, inf for inf, NaN for NaN.
-ANYSL_TIER float powShort(float x, float y) {
-  double a = magnitude(x);
-  Decomposed d = decompose(a);
+/// log2 x to 2^-38, for a positive normal x.
+template <Fusion F, int N>
+ANYSL_TIER double log2ForPower(double x, const double (&polynomial)[N]) {
+  Decomposed d = decompose(x);
   double f = d.m - 1;
   double s = f / (2 + f);
   double z = s * s;
-  double l = d.exponent + s * (z * horner(AtanhPow, z) + 1) * (2 * Log2E);
+  double p = s * mulAdd<F>(z, horner<F>(polynomial, z), 1.0);
+  return mulAdd<F>(p, 2 * Log2E, d.exponent);
+}
+
+/// Any x^y: with an exponent of −inf for 0, inf for inf, NaN for NaN.
+ANYSL_TIER float powAny(float x, float y) {
+  double a = magnitude(x);
+  double l = log2ForPower<Fusion::Never>(a, AtanhPow);
   l = a == 0 ? -Infinity<double> : l;
   l = a < Infinity<double> ? l : a;
   double e = clampKeepNaN(l * double(y), -160.0, 140.0);
   double t = e + RoundShift;
   return powSpecial(x, y, float(expReduced<ShortPolynomials>({e - (t - RoundShift), bitsOf(t)})));
+}
+
+/// Whether x^y = 2^exponent is a case for powAny: all others are normal powers of normal numbers.
+template <class T>
+ANYSL_TIER bool isSpecialPower(float x, T exponent) {
+  return !isPositiveNormal(x) | !(magnitude(exponent) < 125);
+}
+
+ANYSL_TIER float powShort(float x, float y) {
+  double e = log2ForPower<Fusion::Never>(x, AtanhPow) * double(y);
+  if (__builtin_expect(isSpecialPower(x, e), 0))
+    return powAny(x, y);
+  double t = e + RoundShift;
+  float power = float(expReduced<ShortPolynomials>({e - (t - RoundShift), bitsOf(t)}));
+  return y == 2 ? x * x : power;
 }
 
 //===-- roots ---------------------------------------------------------------//

@@ -29,7 +29,6 @@ struct MediumPolynomials {
   static constexpr auto &asin = AsinU35;
   static constexpr auto &atan = AtanU35;
   static constexpr auto &inverseCbrt = InverseCbrtU35;
-  static constexpr auto &atanh = AtanhPow;
   static constexpr bool coarse = false;
 };
 
@@ -44,7 +43,6 @@ struct CoarsePolynomials {
   static constexpr auto &asin = AsinFast;
   static constexpr auto &atan = AtanFast;
   static constexpr auto &inverseCbrt = InverseCbrtFast;
-  static constexpr auto &atanh = AtanhFast;
   static constexpr bool coarse = true;
 };
 
@@ -282,26 +280,30 @@ ANYSL_TIER float log10InFloat(float x) {
 
 //===-- pow -----------------------------------------------------------------//
 
-/// With log2 |x| in double, since its error is multiplied by up to 128: short polynomials, fused.
+/// The error of log2 x is multiplied by up to 125: it is computed in double, and for `fast` with
+/// the polynomial of u35.
 template <class C>
 ANYSL_TIER float powInFloat(float x, float y) {
-  double a = magnitude(x);
-  Decomposed d = decompose(a);
-  double f = d.m - 1;
-  double s = f / (2 + f);
-  double z = s * s;
-  constexpr Fusion F = Fusion::Always;
-  double p = mulAdd<F>(z, horner<F>(C::atanh, z), 1.0);
-  double l = mulAdd<F>(s * p, 2 * 0x1.71547652b82fep+0, d.exponent);
-  l = a == 0 ? -Infinity<double> : l;
-  l = a < Infinity<double> ? l : a;
-  double e = clampKeepNaN(l * double(y), -160.0, 140.0);
-  double t = e + RoundShift;
-  float g = float(e - (t - RoundShift));
-  double scaled = fma(g, hornerFused(C::exp2, g), 1);
-  float power = float(fromBits(bitsOf(scaled) + (bitsOf(t) << 52)));
-  power = y == 1 ? magnitude(x) : power;
-  return powSpecial(x, y, power);
+  float whole, part; // of the power's exponent
+  bool special;
+  if constexpr (C::coarse) {
+    DecomposedF d = decomposeF(x);
+    float l = fma(d.f * hornerFused(LogU35, d.f), 0x1.715476p+0f, d.n);
+    float e = l * y;
+    special = isSpecialPower(x, e);
+    whole = e + RoundShiftF;
+    part = e - (whole - RoundShiftF);
+  } else {
+    double e = log2ForPower<Fusion::Always>(x, AtanhPow) * double(y);
+    special = isSpecialPower(x, e);
+    whole = float(e) + RoundShiftF;
+    part = float(e - double(whole - RoundShiftF));
+  }
+  if (__builtin_expect(special, 0))
+    return powAny(x, y);
+  float power = scaleBy(fma(part, hornerFused(C::exp2, part), 1), bitsOf(whole));
+  power = y == 1 ? x : power;
+  return y == 2 ? x * x : power;
 }
 
 //===-- roots ---------------------------------------------------------------//
@@ -332,19 +334,14 @@ ANYSL_TIER float inverseSqrtInFloat(float x) {
   return s.y * s.scale;
 }
 
-/// The sides are scaled by the larger one's exponent, so that squares neither overflow nor vanish.
+/// Where the larger side's square is far from overflow and underflow, the smaller one's may vanish.
 ANYSL_TIER float hypotInFloat(float x, float y) {
-  float a = magnitude(x), b = magnitude(y);
-  float large = a > b ? a : b, small = a > b ? b : a;
-  UInt32 exponent = bitsOf(large) & 0x7f800000u;
-  exponent = exponent < 0x00800000u ? 0x00800000u : exponent;
-  exponent = exponent > 0x7e000000u ? 0x7e000000u : exponent;
-  float down = fromBits(0x7f000000u - exponent), up = fromBits(exponent);
-  large *= down;
-  small *= down;
-  float r = squareRoot(fma(small, small, large * large)) * up;
-  r = x != x || y != y ? x + y : r;
-  return a == Infinity<float> || b == Infinity<float> ? Infinity<float> : r;
+  UInt32 a = bitsOf(magnitude(x)), b = bitsOf(magnitude(y));
+  UInt32 large = a > b ? a : b;
+  constexpr UInt32 low = 0x21800000u, high = 0x5d800000u; // 2^-60, 2^60
+  if (__builtin_expect(large - low > high - low, 0))
+    return hypotInDouble(x, y);
+  return squareRoot(fma(x, x, y * y));
 }
 
 } // namespace anysl::tier

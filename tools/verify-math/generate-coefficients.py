@@ -156,7 +156,7 @@ def table():
     add('Exp64', D, 11, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
     add('Sinh64', D, 6, sinhP, sinhW, Z, mpf(0.375) ** 2, 'sinh r = r + r z P(z), |r| <= 3/8')
     add('LogU10', D, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f), 1+f in [sqrt 1/2, sqrt 2]')
-    for q, n in (('Fast', 2), ('Pow', 4), ('Cr', 7)):
+    for q, n in (('Pow', 4), ('Cr', 7)):
         add(f'Atanh{q}', D, n, atanhP, atanhW, Z, smax, 'atanh s = s + s z P(z), the same range')
     add('AtanhTail64', D, 7, atanhTail, atanhTailW, mpf(10) ** -8, smax, 'atanh s = s (1 + z/3 + z^2/5 + z^3 P(z))')
     add('AsinCr', D, 12, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
