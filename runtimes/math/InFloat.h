@@ -334,14 +334,19 @@ ANYSL_TIER float inverseSqrtInFloat(float x) {
   return s.y * s.scale;
 }
 
-/// Where the larger side's square is far from overflow and underflow, the smaller one's may vanish.
+/// The sides are scaled by the larger one's exponent, so that squares neither overflow nor vanish.
 ANYSL_TIER float hypotInFloat(float x, float y) {
-  UInt32 a = bitsOf(magnitude(x)), b = bitsOf(magnitude(y));
-  UInt32 large = a > b ? a : b;
-  constexpr UInt32 low = 0x21800000u, high = 0x5d800000u; // 2^-60, 2^60
-  if (__builtin_expect(large - low > high - low, 0))
-    return hypotInDouble(x, y);
-  return squareRoot(fma(x, x, y * y));
+  float a = magnitude(x), b = magnitude(y);
+  float large = a > b ? a : b, small = a > b ? b : a;
+  UInt32 exponent = bitsOf(large) & 0x7f800000u;
+  exponent = exponent < 0x00800000u ? 0x00800000u : exponent;
+  exponent = exponent > 0x7e000000u ? 0x7e000000u : exponent;
+  float down = fromBits(0x7f000000u - exponent), up = fromBits(exponent);
+  large *= down;
+  small *= down;
+  float r = squareRoot(fma(small, small, large * large)) * up;
+  r = x != x || y != y ? x + y : r;
+  return a == Infinity<float> || b == Infinity<float> ? Infinity<float> : r;
 }
 
 } // namespace anysl::tier
