@@ -8,6 +8,7 @@
 #include "passes/Vectorize/CleanUp.h"
 
 #include "passes/Vectorize/IntegerMasks.h"
+#include "passes/Vectorize/StridedAccess.h"
 
 #include "llvm/Analysis/TargetTransformInfo.h"
 #include "llvm/IR/Instructions.h"
@@ -24,8 +25,8 @@ using namespace llvm;
 
 namespace anysl {
 
-/// A value that leaves a loop has no value before a lane has left. Whatever a register holds by then
-/// would take part in arithmetic of idle lanes, where a denormal number costs 150 cycles.
+/// A value that leaves a loop has no value before a lane has left. Whatever a register holds by
+/// then would take part in arithmetic of idle lanes, where a denormal number costs 150 cycles.
 static void startAtZero(Function &function) {
   for (BasicBlock &block : function)
     for (PHINode &phi : block.phis())
@@ -52,7 +53,9 @@ void cleanUp(Function &function, FunctionAnalysisManager &analyses) {
   analyses.invalidate(function, preserved);
 
   startAtZero(function);
-  if (keepMasksAsIntegers(function, analyses.getResult<TargetIRAnalysis>(function)))
+  bool changed = widenStridedAccess(function);
+  changed |= keepMasksAsIntegers(function, analyses.getResult<TargetIRAnalysis>(function));
+  if (changed)
     analyses.invalidate(function, PreservedAnalyses::none());
 }
 

@@ -128,6 +128,12 @@ void Schedule::addEdge(unsigned fromNode, unsigned to, bool direct, bool occupie
 
 //===-- Guards --------------------------------------------------------------===//
 
+bool isHarmless(const Instruction &instruction) {
+  if (isa<CallBase>(instruction) && !isa<IntrinsicInst>(instruction))
+    return false;
+  return isSafeToSpeculativelyExecute(&instruction);
+}
+
 bool needsActiveLane(const Instruction &instruction, const ShapeAnalysis &shapes) {
   if (const auto *load = dyn_cast<LoadInst>(&instruction))
     return shapes.shapeOf(load->getPointerOperand()).isUniform();
@@ -136,14 +142,14 @@ bool needsActiveLane(const Instruction &instruction, const ShapeAnalysis &shapes
   if (const auto *call = dyn_cast<CallBase>(&instruction)) {
     if (isa<DbgInfoIntrinsic>(call) || isa<AssumeInst>(call))
       return false;
-    return !isSafeToSpeculativelyExecute(call);
+    return !isHarmless(*call);
   }
   switch (instruction.getOpcode()) {
   case Instruction::UDiv:
   case Instruction::SDiv:
   case Instruction::URem:
   case Instruction::SRem:
-    return shapes.shapeOf(&instruction).isUniform() && !isSafeToSpeculativelyExecute(&instruction);
+    return shapes.shapeOf(&instruction).isUniform() && !isHarmless(instruction);
   case Instruction::Fence:
     return true;
   default:
@@ -178,7 +184,7 @@ bool Schedule::isWorthGuard(unsigned index) const {
         continue;
       switch (instruction.getOpcode()) {
       case Instruction::Call:
-        cost += isSafeToSpeculativelyExecute(&instruction) ? 4 : limit;
+        cost += isHarmless(instruction) ? 4 : limit;
         break;
       case Instruction::FDiv:
       case Instruction::FRem:

@@ -94,6 +94,10 @@ private:
   llvm::SmallVector<Node, 64> nodes;
 };
 
+/// Whether an instruction may run for lanes that are not active, on whatever they hold. A function that
+/// is declared so may be called early, but not with arguments that no lane has computed.
+bool isHarmless(const llvm::Instruction &instruction);
+
 /// Whether an instruction of this shape runs as one scalar instruction that must not run when no lane
 /// is active: it may trap, or touches memory.
 bool needsActiveLane(const llvm::Instruction &instruction, const ShapeAnalysis &shapes);

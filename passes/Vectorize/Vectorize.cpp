@@ -65,10 +65,17 @@ void adoptVariantAnnotations(Module &module) {
       if (auto *data = dyn_cast<ConstantDataSequential>(string->getInitializer());
           data && data->isCString())
         text = data->getAsCString();
-    if (function && text.consume_front(prefix))
+    if (function && text.consume_front(prefix)) {
       addVectorVariant(*function, text);
-    else
+      // Both forms return in the end, which a call into a renderer does not tell by itself; knowing
+      // it, LLVM moves what does not change from group to group before them and out of the loop.
+      function->setWillReturn();
+      if (std::optional<VariantName> name = parseVariantName(text))
+        if (Function *variant = module.getFunction(name->functionName))
+          variant->setWillReturn();
+    } else {
       kept.push_back(cast<Constant>(entry));
+    }
   }
   if (kept.size() == list->getNumOperands())
     return;

@@ -75,7 +75,7 @@ void removeVectorVariants(llvm::Function &function);
 
 /// Turns __attribute__((annotate("anysl.vector_variant:_ZGV_LLVM_M8uvl4_f(f_x8)"))) on functions of a
 /// module compiled by clang into variant attributes, and keeps all other annotations. Functions named
-/// as variants must be given in the module, or be declared.
+/// as variants must be given in the module, or be declared. Both forms are taken to return.
 void adoptVariantAnnotations(llvm::Module &module);
 
 /// Tells code generation that \p function uses vectors of \p bits bits, so that it passes and keeps

@@ -25,7 +25,7 @@ void Widener::widenCall(CallInst &call) {
   if (callVariant(call))
     return;
   Function *callee = call.getCalledFunction();
-  if (!isSafeToSpeculativelyExecute(&call))
+  if (!isHarmless(call))
     remark(VectorizeRemark::Kind::LaneByLane, call,
            Twine("calls ") + (callee ? callee->getName() : StringRef("through a pointer")) +
                " once per active lane, as it has no vector variant for " + Twine(width) + " lanes");

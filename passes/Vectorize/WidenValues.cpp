@@ -296,7 +296,7 @@ void Widener::replicate(Instruction &instruction) {
     AllocaInst *memory;
   };
   SmallVector<Varying, 4> varying;
-  bool harmless = isSafeToSpeculativelyExecute(&instruction);
+  bool harmless = isHarmless(instruction);
   Instruction *pattern = instruction.clone();
   for (Use &operand : pattern->operands()) {
     Value *value = operand.get();

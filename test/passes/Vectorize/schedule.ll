@@ -1,0 +1,113 @@
+; In which order blocks run, which branches stay, and what is jumped over.
+; RUN: opt -load-pass-plugin=%plugin -passes='anysl-normalize,print<anysl-schedule>' -disable-output %s 2>&1 | FileCheck %s
+
+; A uniform branch stays one, and costs no mask.
+; CHECK-LABEL: schedule of uniform
+; CHECK-NEXT: entry: full
+; CHECK-NEXT: branch then, end
+; CHECK-NEXT: then: full
+; CHECK-NEXT: jump end
+; CHECK-NEXT: end: full, mask of entry
+; CHECK-NEXT: return
+define void @uniform(ptr %p, i32 %n) "_ZGV_LLVM_N8uu_uniform" {
+entry:
+  %c = icmp sgt i32 %n, 0
+  br i1 %c, label %then, label %end
+then:
+  store volatile i32 1, ptr %p
+  br label %end
+end:
+  ret void
+}
+
+; Both sides of a divergent branch run one after the other; lanes wait for the second at its place. Each is
+; skipped when nobody takes it, as a volatile store must not run for nobody.
+; CHECK-LABEL: schedule of divergent
+; CHECK-NEXT: entry: full
+; CHECK-NEXT: jump [[FIRST:then|else]]
+; CHECK-NEXT: [[FIRST]]: occupied, pending [[SECOND:then|else]], skipped to [[SECOND]]
+; CHECK-NEXT: jump [[SECOND]]
+; CHECK-NEXT: [[SECOND]]: occupied, pending end, skipped to end
+; CHECK-NEXT: jump end
+; CHECK-NEXT: end: full, mask of entry
+define void @divergent(ptr %p, i32 %x) "_ZGV_LLVM_N8uv_divergent" {
+entry:
+  %c = icmp sgt i32 %x, 0
+  br i1 %c, label %then, label %else
+then:
+  store volatile i32 1, ptr %p
+  br label %end
+else:
+  store volatile i32 2, ptr %p
+  br label %end
+end:
+  ret void
+}
+
+; Lanes that leave a loop wait outside; it repeats while any is left.
+; CHECK-LABEL: schedule of loop
+; CHECK-NEXT: entry: full
+; CHECK-NEXT: jump loop
+; CHECK-NEXT: loop: occupied, pending [[OUT:.*]]
+; CHECK-NEXT: repeat if any, else [[OUT]]
+; CHECK-NEXT: [[OUT]]: full, mask of entry
+define i32 @loop(i32 %x) "_ZGV_LLVM_N8v_loop" {
+entry:
+  br label %loop
+loop:
+  %k = phi i32 [ 0, %entry ], [ %next, %loop ]
+  %next = add i32 %k, 1
+  %again = icmp slt i32 %next, %x
+  br i1 %again, label %loop, label %out
+out:
+  ret i32 %next
+}
+
+; A uniform loop inside a divergent branch stays a plain loop, entered only if somebody is in it.
+; CHECK-LABEL: schedule of inner
+; CHECK: [[GUARD:.*]]: occupied, pending end, skipped to end
+; CHECK-NEXT: jump body
+; CHECK-NEXT: body: occupied, mask of [[GUARD]], pending end
+; CHECK-NEXT: branch body, {{end.*}}
+define void @inner(ptr %p, i32 %n, i32 %x) "_ZGV_LLVM_N8uuv_inner" {
+entry:
+  %c = icmp sgt i32 %x, 0
+  br i1 %c, label %guard, label %end
+guard:
+  br label %body
+body:
+  %k = phi i32 [ 0, %guard ], [ %next, %body ]
+  store volatile i32 %k, ptr %p
+  %next = add i32 %k, 1
+  %again = icmp ult i32 %next, %n
+  br i1 %again, label %body, label %end
+end:
+  ret void
+}
+
+; Every way to the end leads through `check`, but out of the loop around it and in again: lanes that take
+; `around` must not count as being in `check`. Found by fuzzing.
+; CHECK-LABEL: schedule of leavesBetween
+; CHECK: check: {{[^,]*}}, pending
+define void @leavesBetween(ptr %p, i32 %n, i32 %x) "_ZGV_LLVM_N8uuv_leavesBetween" {
+entry:
+  br label %outer
+outer:
+  %first = phi i1 [ true, %entry ], [ false, %around ]
+  br label %head
+head:
+  %k = phi i32 [ 0, %outer ], [ %next, %check ]
+  %c = icmp eq i32 %x, %k
+  %leave = and i1 %c, %first
+  br i1 %leave, label %around, label %check
+check:
+  store volatile i32 %k, ptr %p
+  %next = add i32 %k, 1
+  %again = icmp slt i32 %next, %x
+  br i1 %again, label %head, label %end
+around:
+  store volatile i32 7, ptr %p
+  br label %outer
+end:
+  ret void
+}
