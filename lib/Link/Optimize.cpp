@@ -48,8 +48,16 @@ void stamp(Function &function, const Session &session) {
         // A shader's loop that never ends hangs; it is not undefined behaviour.
         Attribute::MustProgress, Attribute::WillReturn})
     dropped.addAttribute(kind);
+  // What a runtime keeps apart and calls `const` asks the renderer for something that is the same for the
+  // whole batch. It may be asked for before the loop over the points, needed or not: nothing else says
+  // that the loop over the lights in between comes to an end.
+  bool isSameForBatch = function.hasFnAttribute(Attribute::NoInline) &&
+                        function.hasFnAttribute(Attribute::WillReturn) &&
+                        function.doesNotAccessMemory();
   function.removeFnAttrs(dropped);
   function.addFnAttr(Attribute::NoUnwind);
+  if (isSameForBatch)
+    function.addFnAttr(Attribute::Speculatable);
   if (function.isDeclaration())
     return;
   function.addFnAttr("target-cpu", session.target.getTargetCPU());

@@ -1,0 +1,68 @@
+// A renderer is asked for the matrix of a coordinate system once for all points, at every width, also by a shader
+// that looks at lights in between; a matrix whose name differs from point to point is asked for as needed.
+//
+// RUN: printf 'surface once() { point Q = transform("room", P); Ci = diffuse(N) + float noise(Q * 3); }' > %t.sl
+// RUN: printf 'surface names() { string n = "hall"; if (s > 0.5) n = "room"; Ci = xcomp(transform(n, P)); }' >> %t.sl
+// RUN: rslc %t.sl -o %t.stc.bc
+// RUN: anysl-link %t.stc.bc --runtime packet --width 1,4,8,16 -o %t.packet.so
+// RUN: anysl-link %t.stc.bc --runtime scalar --width 1,4,8,16 -o %t.scalar.so
+// RUN: clang -std=c99 -Wall -Werror %anysl_include %s -L%lib_dir -Wl,-rpath,%lib_dir -lanysl -o %t
+// RUN: %t %t.packet.so | FileCheck %s
+// RUN: %t %t.scalar.so | FileCheck %s
+// CHECK-COUNT-4: once: asked seldom, right
+// CHECK-COUNT-4: names: asked often, right
+
+#include <anysl/anysl.h>
+#include <stdio.h>
+#include <string.h>
+
+#define POINTS 256
+
+/* "room" is moved by 1 along x, "hall" by 2. */
+static int spaceMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to,
+                       double matrix[16]) {
+  int i;
+  for (i = 0; i < 16; ++i)
+    matrix[i] = i % 5 == 0;
+  matrix[12] = !strcmp(to, "room") ? 1 : 2;
+  ++*(int *)renderer;
+  return !strcmp(to, "room") || !strcmp(to, "hall");
+}
+
+static void run(AnyslLibrary *library, const char *name, uint32_t width) {
+  static float s[POINTS], Ci[POINTS][3];
+  const float zero[3] = {0, 0, 0};
+  AnyslServices services = {sizeof services, 0, 0, 0, 0, 0, 0, spaceMatrix};
+  AnyslInstance *instance = NULL;
+  AnyslBatch *batch = NULL;
+  int i, calls = 0, right = 1, varying = !strcmp(name, "names");
+  for (i = 0; i < POINTS; ++i)
+    s[i] = (float)(i % 2);
+  if (anysl_instance_create(library, name, &services, &calls, &instance) ||
+      anysl_batch_create(instance, POINTS, 0, &batch) ||
+      anysl_batch_write_float(batch, ANYSL_P, 0, POINTS, zero, 0) ||
+      anysl_batch_write_float(batch, ANYSL_s, 0, POINTS, s, 1) || anysl_shade(instance, batch, 0, POINTS, width) ||
+      anysl_batch_read_float(batch, ANYSL_Ci, 0, POINTS, Ci[0], 3))
+    printf("%s\n", anysl_last_error());
+  for (i = 0; i < POINTS; ++i)
+    right &= varying ? Ci[i][0] == (s[i] > 0.5f ? 1 : 2) : Ci[i][0] == Ci[0][0];
+  printf("%s: asked %s, %s\n", name, calls <= 8 ? "seldom" : "often", right ? "right" : "wrong");
+  anysl_batch_free(batch);
+  anysl_instance_free(instance);
+}
+
+int main(int argc, char **argv) {
+  const uint32_t widths[] = {1, 4, 8, 16};
+  AnyslLibrary *library;
+  int i;
+  if (anysl_library_open(argv[argc - 1], 0, &library)) {
+    printf("%s\n", anysl_last_error());
+    return 1;
+  }
+  for (i = 0; i < 4; ++i)
+    run(library, "once", widths[i]);
+  for (i = 0; i < 4; ++i)
+    run(library, "names", widths[i]);
+  anysl_library_close(library);
+  return 0;
+}
