@@ -66,9 +66,9 @@ bool Parser::expect(TokenKind kind, StringRef where) {
   if (accept(kind))
     return true;
   // What is missing is missing behind the last word, which may be lines above the next.
-  bool sameLine =
-      diags.presumed(lastEnd()).line == diags.presumed(peek().loc).line && !at(TokenKind::End);
-  SMLoc loc = sameLine ? peek().loc : lastEnd();
+  bool isBehind = kind == TokenKind::Semicolon || at(TokenKind::End) ||
+                  diags.presumed(lastEnd()).line != diags.presumed(peek().loc).line;
+  SMLoc loc = isBehind ? lastEnd() : peek().loc;
   auto error = diags.error(loc, "expected " + describe(kind) + " " + where);
   if (kind == TokenKind::Semicolon)
     error.fixit({lastEnd(), lastEnd()}, ";");

@@ -128,12 +128,31 @@ Stmt *Parser::parseStatementInner() {
     FunctionDecl *decl = parseFunction(Specifiers());
     return decl ? ast.make<FunctionStmt>(loc, decl) : nullptr;
   }
+  if (at(TokenKind::Identifier) && peek(1).is(TokenKind::Identifier) &&
+      peek(2).isOneOf(TokenKind::Semicolon, TokenKind::Comma, TokenKind::Equal,
+                      TokenKind::LeftBracket))
+    return parseUnknownType();
   Expr *expr = parseExpr();
   if (!expr)
     return nullptr;
   // Without its ';' the statement is still whole: what follows is probably the next one.
   expect(TokenKind::Semicolon, "after an expression");
   return ast.make<ExpressionStmt>(expr);
+}
+
+/// `colour c = 1;`: reported, but the variables are there, so that their uses are not reported too.
+Stmt *Parser::parseUnknownType() {
+  Token type = take();
+  StringRef types[] = {"float", "color", "point", "vector", "normal", "matrix", "string"};
+  auto error =
+      diags.error(type.loc, "unknown type '" + type.text + "'" + didYouMean(type.text, types));
+  error.range(type.range());
+  if (std::optional<StringRef> likely = suggest(type.text, types))
+    error.fixit(type.range(), *likely);
+  Specifiers specifiers;
+  specifiers.loc = type.loc;
+  specifiers.hasType = true;
+  return parseVariables(specifiers);
 }
 
 Stmt *Parser::parseDeclaration() {
@@ -150,6 +169,11 @@ Stmt *Parser::parseDeclaration() {
   }
   if (specifiers.isOutput)
     diags.error(loc, "only parameters can be 'output'");
+  return parseVariables(specifiers);
+}
+
+/// The names of a declaration and what follows them.
+Stmt *Parser::parseVariables(const Specifiers &specifiers) {
   std::vector<VarDecl *> variables;
   do {
     VarDecl *variable = parseVariable(VarKind::Local, specifiers, function);
@@ -159,8 +183,8 @@ Stmt *Parser::parseDeclaration() {
   } while (accept(TokenKind::Comma));
   expect(TokenKind::Semicolon, "after a declaration");
   if (specifiers.isExtern)
-    return ast.make<ExternStmt>(loc, ast.copy<VarDecl *>(variables));
-  return ast.make<DeclarationStmt>(loc, ast.copy<VarDecl *>(variables));
+    return ast.make<ExternStmt>(specifiers.loc, ast.copy<VarDecl *>(variables));
+  return ast.make<DeclarationStmt>(specifiers.loc, ast.copy<VarDecl *>(variables));
 }
 
 Stmt *Parser::parseIf() {

@@ -74,6 +74,8 @@ private:
   Stmt *parseStatement();
   Stmt *parseStatementInner();
   Stmt *parseDeclaration();
+  Stmt *parseUnknownType();
+  Stmt *parseVariables(const Specifiers &specifiers);
   Stmt *parseIf();
   Stmt *parseWhile();
   Stmt *parseFor();

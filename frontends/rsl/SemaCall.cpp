@@ -408,7 +408,18 @@ void Sema::reportNoMatch(const CallExpr &call, ArrayRef<Type> args,
   error.range(call.nameRange);
   for (const Expr *arg : call.args)
     error.range(arg->range);
+  // Overloads with as many arguments are the likelier ones; a long list helps nobody.
+  static constexpr unsigned MaxNotes = 6;
+  bool someFit = llvm::any_of(
+      candidates, [&](const Candidate &candidate) { return candidate.size() == args.size(); });
+  unsigned notes = 0, left = 0;
   for (const Candidate &candidate : candidates) {
+    if (someFit && candidate.size() != args.size())
+      continue;
+    if (++notes > MaxNotes) {
+      ++left;
+      continue;
+    }
     std::string text = "candidate: " + signature(candidate);
     if (candidate.size() != args.size()) {
       text += ", which takes " + utostr(candidate.size()) + " argument" +
@@ -423,8 +434,10 @@ void Sema::reportNoMatch(const CallExpr &call, ArrayRef<Type> args,
     if (candidate.function)
       error.note(candidate.function->range.Start, text, candidate.function->range);
     else
-      error.note(SMLoc(), text);
+      error.note(call.loc, text, {}, /*showsLine=*/false);
   }
+  if (left)
+    error.note(call.loc, "and " + Twine(left) + " more", {}, /*showsLine=*/false);
 }
 
 } // namespace anysl::rsl

@@ -272,7 +272,8 @@ void Sema::matchLibraryFunction(FunctionDecl &decl) {
   auto error = diags.error(decl.range.Start, "no built-in '" + decl.name + "' has this signature");
   error.range(decl.range);
   for (const Builtin *builtin : overloads)
-    error.note(SMLoc(), "candidate: " + rsl::signature(*builtin));
+    error.note(decl.range.Start, "candidate: " + rsl::signature(*builtin), {},
+               /*showsLine=*/false);
 }
 
 //===-- Variables -------------------------------------------------------------------------------//

@@ -16,6 +16,8 @@ namespace anysl::rsl {
 
 static constexpr WarningGroup ParamAssigned{"parameter-assignment", true};
 
+static constexpr WarningGroup Parentheses{"parentheses", true};
+
 static Expr *failed(Expr *expr) {
   expr->type = {TypeKind::Error};
   return expr;
@@ -296,7 +298,12 @@ Expr *Sema::checkComparison(BinaryExpr &binary) {
 
 /// A condition: a comparison, or a number that is not 0.
 Expr *Sema::checkCondition(Expr *expr) {
+  auto *assign = dyn_cast<AssignExpr>(expr);
   expr = check(expr, TypeKind::Float);
+  if (assign && !assign->isCompound)
+    diags.warning(assign->loc, Parentheses, "an assignment as a condition; did you mean '=='?")
+        .range(assign->range)
+        .fixit({assign->loc, SMLoc::getFromPointer(assign->loc.getPointer() + 1)}, "==");
   if (expr->type.isError() || expr->type.is(TypeKind::Bool))
     return expr;
   if (!expr->type.is(TypeKind::Float)) {
@@ -446,8 +453,10 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
           .range(target->range);
       return;
     }
-    if (bad)
+    if (bad) {
       diags.error(loc, "'" + decl.name + "' cannot be assigned").range(target->range);
+      return;
+    }
   }
   if (!decl.type.varying && (valueVaries || indexVaries)) {
     auto error =

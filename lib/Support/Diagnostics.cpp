@@ -34,7 +34,8 @@ DiagnosticBuilder &DiagnosticBuilder::fixit(SMRange replaced, const Twine &text)
   return *this;
 }
 
-DiagnosticBuilder &DiagnosticBuilder::note(SMLoc loc, const Twine &message, SMRange range) {
+DiagnosticBuilder &DiagnosticBuilder::note(SMLoc loc, const Twine &message, SMRange range,
+                                           bool showsLine) {
   if (!diagnostic)
     return *this;
   Diagnostic note;
@@ -42,6 +43,7 @@ DiagnosticBuilder &DiagnosticBuilder::note(SMLoc loc, const Twine &message, SMRa
   note.loc = loc;
   note.position = engine.presumed(loc);
   note.message = message.str();
+  note.showsLine = showsLine;
   if (range.isValid())
     note.ranges.push_back(range);
   diagnostic->notes.push_back(std::move(note));
@@ -275,7 +277,9 @@ void DiagnosticEngine::print(const Diagnostic &diagnostic) {
     break;
   }
   const FilePosition &position = diagnostic.position;
-  SMLoc loc = diagnostic.loc.isValid() ? diagnostic.loc : locate(position);
+  SMLoc loc = !diagnostic.showsLine      ? SMLoc()
+              : diagnostic.loc.isValid() ? diagnostic.loc
+                                         : locate(position);
   if (!loc.isValid()) {
     std::string place = position ? position.file : tool;
     if (position && position.line)

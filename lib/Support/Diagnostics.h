@@ -66,6 +66,7 @@ struct Diagnostic {
   llvm::SMLoc loc;       ///< in a loaded buffer, or invalid
   FilePosition position; ///< presumed place (after #line), also where `loc` is invalid
   std::string message;
+  bool showsLine = true; ///< the source line, where there is one
   std::vector<llvm::SMRange> ranges;
   std::vector<llvm::SMFixIt> fixits;
   std::vector<Diagnostic> notes;
@@ -87,8 +88,10 @@ public:
   DiagnosticBuilder &range(llvm::SMRange range) { return this->range(range.Start, range.End); }
   /// Shows the text that should stand in place of a range.
   DiagnosticBuilder &fixit(llvm::SMRange replaced, const llvm::Twine &text);
-  /// Adds a note; later calls of range() and fixit() still concern the message itself.
-  DiagnosticBuilder &note(llvm::SMLoc loc, const llvm::Twine &message, llvm::SMRange range = {});
+  /// Adds a note; later calls of range() and fixit() still concern the message itself. Without
+  /// \p showsLine the source line, which was shown already, is left out.
+  DiagnosticBuilder &note(llvm::SMLoc loc, const llvm::Twine &message, llvm::SMRange range = {},
+                          bool showsLine = true);
   DiagnosticBuilder &note(FilePosition position, const llvm::Twine &message);
 
 private:

@@ -21,7 +21,7 @@ namespace {
 
 cl::OptionCategory category("rslc");
 
-cl::opt<std::string> input(cl::Positional, cl::Required, cl::desc("FILE.sl"), cl::cat(category));
+cl::opt<std::string> input(cl::Positional, cl::desc("FILE.sl"), cl::cat(category));
 cl::opt<std::string> output("o",
                             cl::desc("Write to FILE; - is standard output (default: FILE.stc.bc)"),
                             cl::value_desc("FILE"), cl::cat(category));
@@ -130,6 +130,11 @@ int main(int argc, char **argv) {
   std::vector<Diagnostic> collected;
   if (verifyMode)
     diags.setConsumer([&](const Diagnostic &diagnostic) { collected.push_back(diagnostic); });
+
+  if (input.empty()) {
+    diags.error("no input file; see rslc --help");
+    return userError;
+  }
 
   rsl::FrontendOptions options;
   options.preprocessor.includeDirs = includeDirs;
