@@ -144,10 +144,12 @@ Stmt *Parser::parseStatementInner() {
 Stmt *Parser::parseUnknownType() {
   Token type = take();
   StringRef types[] = {"float", "color", "point", "vector", "normal", "matrix", "string"};
-  auto error =
-      diags.error(type.loc, "unknown type '" + type.text + "'" + didYouMean(type.text, types));
+  bool isNumber = type.text == "int" || type.text == "double" || type.text == "bool";
+  std::optional<StringRef> likely = isNumber ? StringRef("float") : suggest(type.text, types);
+  std::string question = likely ? "; did you mean '" + likely->str() + "'?" : "";
+  auto error = diags.error(type.loc, "unknown type '" + type.text + "'" + question);
   error.range(type.range());
-  if (std::optional<StringRef> likely = suggest(type.text, types))
+  if (likely)
     error.fixit(type.range(), *likely);
   Specifiers specifiers;
   specifiers.loc = type.loc;
