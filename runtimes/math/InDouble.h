@@ -341,7 +341,7 @@ ANYSL_TIER float powAny(float x, float y) {
 /// Whether x^y = 2^exponent is a case for powAny: all others are normal powers of normal numbers.
 template <class T>
 ANYSL_TIER bool isSpecialPower(float x, T exponent) {
-  return !isPositiveNormal(x) | !(magnitude(exponent) < 125);
+  return int(!isPositiveNormal(x)) | !(magnitude(exponent) < 125);
 }
 
 ANYSL_TIER float powShort(float x, float y) {
