@@ -25,7 +25,7 @@ static constexpr unsigned MaxIncludeDepth = 100;
 bool Preprocessor::enterFile(StringRef path, SMLoc from) {
   Expected<unsigned> buffer = diags.addFile(path, from);
   if (!buffer) {
-    missedFile = true;
+    incomplete = true;
     diags.error(from, "cannot read '" + path + "': " + toString(buffer.takeError()));
     return false;
   }
@@ -180,6 +180,8 @@ void Preprocessor::includeDirective(SMLoc loc) {
   if (stack.size() > MaxIncludeDepth) {
     diags.error(name.loc, "files include each other more than " + Twine(MaxIncludeDepth) + " deep")
         .range(name.range());
+    // Two such includes in one file would go on for 2^100 files.
+    gaveUp = incomplete = true;
     return;
   }
   std::vector<std::string> searched;
@@ -207,7 +209,7 @@ void Preprocessor::includeDirective(SMLoc loc) {
       if (tryFile(folder))
         return;
   }
-  missedFile = true;
+  incomplete = true;
   std::string places =
       searched.empty() ? "no -I folder is given" : "searched in " + join(searched, ", ");
   diags.error(name.loc, "cannot find '" + wanted + "' (" + places + ")").range(name.range());

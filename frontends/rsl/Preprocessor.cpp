@@ -65,7 +65,7 @@ Lexer &Preprocessor::lexer() {
 Token Preprocessor::lexRaw() {
   while (true) {
     Source &source = *stack.back();
-    if (source.isWall)
+    if (source.isWall || gaveUp)
       return Token();
     if (!source.lexer) {
       if (source.position < source.tokens.size())
@@ -98,7 +98,7 @@ Token Preprocessor::lex() {
     if (++made > MaxTokens || gaveUp) {
       if (!gaveUp)
         diags.error(token.loc, "macros expand to more than " + Twine(MaxTokens) + " words");
-      gaveUp = true;
+      gaveUp = incomplete = true;
       Token end;
       end.loc = end.end = token.loc;
       return end;

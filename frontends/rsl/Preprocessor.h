@@ -33,8 +33,9 @@ public:
   /// Reads a file ("-": standard input) to its end. The last word is End. A file that cannot be
   /// read is reported and gives End alone. With \p text that is what the file is taken to contain.
   std::vector<Token> run(llvm::StringRef path, std::optional<llvm::StringRef> text = std::nullopt);
-  /// Whether a file was missing, so that what follows from its absence is not worth reporting.
-  bool isIncomplete() const { return missedFile; }
+  /// Whether text is missing (a file, or what a run that gave up did not read), so that what
+  /// follows from its absence is not worth reporting.
+  bool isIncomplete() const { return incomplete; }
   /// Every file read so far, the main one first.
   llvm::ArrayRef<std::string> dependencies() const { return files; }
 
@@ -109,7 +110,7 @@ private:
   std::vector<std::string> files;
   size_t made = 0; ///< words so far, against macros that grow without bounds
   bool gaveUp = false;
-  bool missedFile = false;
+  bool incomplete = false;
 };
 
 } // namespace anysl::rsl
