@@ -48,9 +48,9 @@ void stamp(Function &function, const Session &session) {
         // A shader's loop that never ends hangs; it is not undefined behaviour.
         Attribute::MustProgress, Attribute::WillReturn})
     dropped.addAttribute(kind);
-  // What a runtime keeps apart and calls `const` asks the renderer for something that is the same for the
-  // whole batch. It may be asked for before the loop over the points, needed or not: nothing else says
-  // that the loop over the lights in between comes to an end.
+  // What a runtime keeps apart and calls `const` asks the renderer for something that is the same
+  // for the whole batch. It may be asked for before the loop over the points, needed or not:
+  // nothing else says that the loop over the lights in between comes to an end.
   bool isSameForBatch = function.hasFnAttribute(Attribute::NoInline) &&
                         function.hasFnAttribute(Attribute::WillReturn) &&
                         function.doesNotAccessMemory();
