@@ -164,12 +164,10 @@ inline constexpr float LogU35[9] = {
     -0x1.0004a80000000p-2f, 0x1.98d3940000000p-3f,  -0x1.535c260000000p-3f,
     0x1.317d980000000p-3f,  -0x1.2505d60000000p-3f, 0x1.65e7ce0000000p-4f,
 };
-/// asin r = r + r z P(z), |r| <= 1/2. Error 2^-23.4.
-inline constexpr float AsinU35[4] = {
-    0x1.554fa40000000p-3f,
-    0x1.34dbfc0000000p-4f,
-    0x1.47faee0000000p-5f,
-    0x1.992f180000000p-5f,
+/// asin r = r + r z P(z), |r| <= 1/2. Error 2^-27.6.
+inline constexpr float AsinU35[5] = {
+    0x1.5555c80000000p-3f, 0x1.3302020000000p-4f, 0x1.747bec0000000p-5f,
+    0x1.8c3c680000000p-6f, 0x1.595dea0000000p-5f,
 };
 /// atan t = t + t z P(z), |t| <= 1. Error 2^-25.8.
 inline constexpr float AtanU35[8] = {

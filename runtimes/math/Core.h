@@ -99,8 +99,8 @@ struct DecomposedF {
   float f, n;
 };
 ANYSL_TIER DecomposedF decomposeF(float x) {
-  constexpr Int32 rootHalf = 0x3f3504f3;
-  Int32 n = (Int32(bitsOf(x)) - rootHalf) >> 23;
+  constexpr UInt32 rootHalf = 0x3f3504f3;
+  Int32 n = Int32(bitsOf(x) - rootHalf) >> 23;
   return {fromBits(bitsOf(x) - (UInt32(n) << 23)) - 1, float(n)};
 }
 

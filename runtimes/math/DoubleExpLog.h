@@ -74,6 +74,7 @@ ANYSL_TIER Hyperbolic64 hyperbolic64(double a) {
   down.low += expTail(minus);
   // e^−a = down·2^−n; beside up·2^n it is nothing from n = 64 on.
   Int32 n = e.n > 64 ? 64 : e.n;
+  n = n < 0 ? 0 : n; // NaN
   double factor = powerOfTwo(UInt64(Int64(-2 * n)));
   down = {down.high * factor, down.low * factor};
   Pair s = sumOrdered(up, {-down.high, -down.low}), c = sumOrdered(up, down);

@@ -169,7 +169,7 @@ def table():
     log1P = lambda f: 1 - f / 2 if near(f) else log(1 + f) / f
     log1W = lambda f: mpf(1) if near(f) else f / log(1 + f)
     for q, sinN, tanN, expN, exp2N, expm1N, logN, asinN, atanN, cbrtN in (
-            ('U35', 4, 6, 4, 6, 6, 9, 4, 8, 4), ('Fast', 2, 3, 2, 3, 4, 5, 2, 4, 3)):
+            ('U35', 4, 6, 4, 6, 6, 9, 5, 8, 4), ('Fast', 2, 3, 2, 3, 4, 5, 2, 4, 3)):
         add(f'SinPi{q}', F, sinN, sinP, sinW, Z, z2 * mpf(1.01), 'sin r = r + r z P(z), |r| <= pi/2')
         add(f'Tan{q}', F, tanN, tanP, tanW, Z, z4 * mpf(1.01), 'tan r = r + r z P(z), |r| <= pi/4')
         add(f'Exp{q}', F, expN, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
