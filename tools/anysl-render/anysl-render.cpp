@@ -92,6 +92,9 @@ void writeStats(const Options &options, const SceneDescription &scene, const Ren
 bool renderScene(const Options &options, const SceneDescription &scene, Watch *watch,
                  unsigned threads, Warnings &warnings) {
   auto begin = std::chrono::steady_clock::now();
+  if (double(scene.camera.width) * scene.camera.height > 0x1p28)
+    throw UserError("a picture of " + std::to_string(scene.camera.width) + "x" +
+                    std::to_string(scene.camera.height) + " pixels is too large");
   for (const OutputFile &output : scene.outputs)
     checkOutput(output);
   ShaderCache cache(options.cacheFolder, options.target);
@@ -184,6 +187,9 @@ int main(int count, char **arguments) {
     return 0;
   } catch (const UserError &error) {
     std::fputs(error.what(), stderr);
+    return 1;
+  } catch (const std::bad_alloc &) {
+    std::fputs("anysl-render: error: out of memory\n", stderr);
     return 1;
   } catch (const std::exception &error) {
     std::fprintf(stderr,
