@@ -167,7 +167,21 @@ void Lowering::storeOutputs(const ShaderDecl &shader, const stc::ShaderInfo &inf
   }
 }
 
+void Lowering::loadGlobal(unsigned id, Value *slot) {
+  const stc::GlobalVariableInfo &global = *stc::globalNumbered(id);
+  b.call(opFor(typeKindOf(global.type), Op::load_global_float, Op::load_global_color,
+               Op::load_global_vector),
+         {slot, b.context(), b.id(id)});
+}
+
 //===-- Shaders ---------------------------------------------------------------------------------//
+
+/// Code behind a return goes, and so do branches from one block to the next.
+static void tidy(Function &function) {
+  EliminateUnreachableBlocks(function);
+  for (BasicBlock &block : llvm::make_early_inc_range(function))
+    MergeBlockIntoPredecessor(&block);
+}
 
 void Lowering::beginBody() {
   slots.clear();
@@ -262,16 +276,11 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
     bool isRead = mayReadBeforeWrite(slot);
     bool isWritten = writtenGlobals.count(id);
     info.globals.push_back({id, isRead, isWritten});
-    const stc::GlobalVariableInfo &global = *stc::globalNumbered(id);
     if (isRead)
-      b.call(opFor(typeKindOf(global.type), Op::load_global_float, Op::load_global_color,
-                   Op::load_global_vector),
-             {slot, b.context(), b.id(id)});
+      loadGlobal(id, slot);
   }
   branchTo(paramBlock);
-  EliminateUnreachableBlocks(*info.body);
-  for (BasicBlock &block : llvm::make_early_inc_range(*info.body))
-    MergeBlockIntoPredecessor(&block);
+  tidy(*info.body);
 
   lowerInit(shader, info);
   b.addShader(info);
@@ -318,16 +327,11 @@ void Lowering::lowerInit(const ShaderDecl &shader, stc::ShaderInfo &info) {
   builder().CreateRetVoid();
   continueIn(&info.init->getEntryBlock());
   for (auto [id, slot] : globals) {
-    const stc::GlobalVariableInfo &global = *stc::globalNumbered(id);
-    b.call(opFor(typeKindOf(global.type), Op::load_global_float, Op::load_global_color,
-                 Op::load_global_vector),
-           {slot, b.context(), b.id(id)});
+    loadGlobal(id, slot);
   }
   branchTo(bodyBlock);
   initOf = nullptr;
-  EliminateUnreachableBlocks(*info.init);
-  for (BasicBlock &block : llvm::make_early_inc_range(*info.init))
-    MergeBlockIntoPredecessor(&block);
+  tidy(*info.init);
 }
 
 //===-- The shading library ---------------------------------------------------------------------//
@@ -400,9 +404,7 @@ void Lowering::lowerLibraryFunction(const FunctionDecl &function) {
                   "'" + global.name + "' is no operand of operator '" + op.name + "'");
   }
   branchTo(bodyBlock);
-  EliminateUnreachableBlocks(*definition);
-  for (BasicBlock &block : llvm::make_early_inc_range(*definition))
-    MergeBlockIntoPredecessor(&block);
+  tidy(*definition);
 }
 
 } // namespace anysl::rsl

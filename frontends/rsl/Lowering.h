@@ -52,7 +52,7 @@ private:
   // Shaders (Lower.cpp)
   void at(SMLoc loc);
   void beginBody();
-  void finishBody(const ShaderDecl *shader);
+  void loadGlobal(unsigned id, Value *slot);
   void lowerInit(const ShaderDecl &shader, stc::ShaderInfo &info);
   void loadParam(const VarDecl &param, const stc::ParamInfo &info, Value *slot);
   void loadUniformParam(const stc::ParamInfo &info, Value *slot);
