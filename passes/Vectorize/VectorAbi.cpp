@@ -372,9 +372,12 @@ std::optional<VariantSignature> VariantSignature::getFor(const VariantName &name
 }
 
 void VariantSignature::addAttributes(Function &function) const {
-  if (returnsByReference)
-    function.addParamAttr(
-        0, Attribute::getWithStructRetType(function.getContext(), result.type));
+  if (!returnsByReference)
+    return;
+  Type *inMemory = result.type;
+  if (result.element && !inMemory->isAggregateType())
+    inMemory = FixedVectorType::get(result.element, width);
+  function.addParamAttr(0, Attribute::getWithStructRetType(function.getContext(), inMemory));
 }
 
 //===-- Packing -------------------------------------------------------------===//

@@ -53,6 +53,16 @@ static bool worksOnLanes(Intrinsic::ID id) {
   }
 }
 
+/// Whether llvm.fmuladd, which is one rounding or two as the processor likes, means the same in the
+/// variant as in the scalar function: the letters d and e give the variant multiply-adds that the scalar
+/// function may not have, and would change its results.
+bool Widener::fusesLikeScalar() const {
+  if (!featuresOf(name.isa).contains("+fma"))
+    return true;
+  StringRef features = reported.getFnAttribute("target-features").getValueAsString();
+  return features.contains("+fma") || features.contains("+avx512f");
+}
+
 bool Widener::widenIntrinsic(IntrinsicInst &call) {
   Intrinsic::ID id = call.getIntrinsicID();
   switch (id) {
@@ -84,6 +94,18 @@ bool Widener::widenIntrinsic(IntrinsicInst &call) {
   }
   if (isa<DbgInfoIntrinsic>(call))
     return true;
+  if (id == Intrinsic::fmuladd && !call.getType()->isVectorTy() && !fusesLikeScalar()) {
+    auto operand = [&](unsigned i) {
+      Value *value = call.getArgOperand(i);
+      return shapeOf(&call).isUniform() ? base(value) : vector(value);
+    };
+    Value *product = builder.CreateFMul(operand(0), operand(1));
+    copyFlags(product, call);
+    Value *sum = builder.CreateFAdd(product, operand(2));
+    copyFlags(sum, call);
+    define(call, sum);
+    return true;
+  }
   if (shapeOf(&call).isUniform())
     return false;
   switch (id) {

@@ -121,6 +121,7 @@ private:
   //===-- Calls, WidenCalls.cpp ---------------------------------------------===//
   void widenCall(llvm::CallInst &call);
   bool widenIntrinsic(llvm::IntrinsicInst &call);
+  bool fusesLikeScalar() const;
   bool callVariant(llvm::CallInst &call);
   bool tryVariant(llvm::CallInst &call, const VariantName &name, llvm::Function &variant);
   bool argumentsFit(llvm::CallInst &call, const VariantName &name);
