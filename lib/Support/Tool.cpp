@@ -51,12 +51,15 @@ void printVersion(raw_ostream &out) {
 
 } // namespace
 
-Tool::Tool(int &argc, char **&argv, StringLiteral name, StringLiteral overview,
-           cl::OptionCategory &category)
-    : init(argc, argv, /*InstallPipeSignalExitHandler=*/true), program(argv[0]) {
+Tool::CrashHandler::CrashHandler(StringRef name) {
   toolName = name.str();
   crashText() = internalErrorText("the program crashed");
   sys::AddSignalHandler(onCrash, nullptr);
+}
+
+Tool::Tool(int &argc, char **&argv, StringLiteral name, StringLiteral overview,
+           cl::OptionCategory &category)
+    : crashes(name), init(argc, argv, /*InstallPipeSignalExitHandler=*/true), program(argv[0]) {
   remove_fatal_error_handler();
   install_fatal_error_handler(onFatalError);
   remove_bad_alloc_error_handler();

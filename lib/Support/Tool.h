@@ -42,6 +42,12 @@ public:
   std::string resourceDir() const;
 
 private:
+  /// Comes before LLVM's own handlers, which print a stack and ask for a report to LLVM's authors.
+  struct CrashHandler {
+    explicit CrashHandler(llvm::StringRef name);
+  };
+
+  CrashHandler crashes;
   llvm::InitLLVM init;
   const char *program;
 };
