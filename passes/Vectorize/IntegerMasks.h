@@ -1,5 +1,4 @@
-//===-- passes/Vectorize/IntegerMasks.h - masks where there are no mask registers ----*- C++
-//-*-===//
+//===-- passes/Vectorize/IntegerMasks.h - masks where there are no mask registers ---*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -17,9 +17,10 @@ namespace anysl {
 /// Why a function cannot be widened at all; empty if it can.
 std::string whyNotWidenable(const llvm::Function &function);
 
-/// Rewrites a scalar function so that the later stages meet few forms only: values in registers where
-/// they can be, two-way branches, one return, reducible loops each with a preheader, one latch and exit
-/// blocks of its own, closed SSA form; no operations on vectors, and no copying of memory as a whole.
+/// Rewrites a scalar function so that the later stages meet few forms only: values in registers
+/// where they can be, two-way branches, one return, reducible loops each with a preheader, one
+/// latch and exit blocks of its own, closed SSA form; no operations on vectors, and no copying of
+/// memory as a whole.
 void normalize(llvm::Function &function, llvm::FunctionAnalysisManager &analyses);
 
 /// The pass `anysl-normalize`: normalises each function that has vector variants.

@@ -12,8 +12,8 @@
 
 namespace anysl {
 
-/// Hands a remark to the options' sink and to the context's diagnostic handler, as LLVM's remark of the
-/// pass `anysl-vectorize`: passed, missed, or analysis, by its kind.
+/// Hands a remark to the options' sink and to the context's diagnostic handler, as LLVM's remark of
+/// the pass `anysl-vectorize`: passed, missed, or analysis, by its kind.
 class Remarks {
 public:
   explicit Remarks(const VectorizeOptions &options) : options(options) {}

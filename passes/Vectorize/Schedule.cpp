@@ -7,8 +7,8 @@
 //
 // One invariant carries everything: when block b runs, every active lane of the function is in b or
 // waits in a pending block. So a block with nothing pending has an active lane; no lane is lost,
-// because pending blocks are handed on along every edge until their number comes; and a lane runs its
-// blocks in an order that its own scalar run would have taken, because edges only lead forward.
+// because pending blocks are handed on along every edge until their number comes; and a lane runs
+// its blocks in an order that its own scalar run would have taken, because edges only lead forward.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -31,9 +31,8 @@ Schedule::Schedule(const Function &function, const LoopInfo &loops, const Domina
     reversePostOrder[block] = reversePostOrder.size();
   order(nullptr);
   // The one block that returns has no successor and may come last, when nobody can be waiting.
-  auto returns = find_if(sequence, [](const BasicBlock *block) {
-    return isa<ReturnInst>(block->getTerminator());
-  });
+  auto returns = find_if(
+      sequence, [](const BasicBlock *block) { return isa<ReturnInst>(block->getTerminator()); });
   if (returns != sequence.end())
     std::rotate(returns, returns + 1, sequence.end());
   for (auto [index, block] : enumerate(sequence))
@@ -56,7 +55,8 @@ static const BasicBlock *nodeAt(const BasicBlock *block, const Loop *level, cons
 }
 
 /// Walks the dominator tree of one loop level in pre-order, the children of a node in reverse
-/// post-order. An edge between two subtrees enters the second at its root, so this is a topological order.
+/// post-order. An edge between two subtrees enters the second at its root, so this is a topological
+/// order.
 void Schedule::order(const Loop *level) {
   DenseMap<const BasicBlock *, SmallVector<const BasicBlock *, 4>> children;
   const BasicBlock *root = level ? level->getHeader() : &function.getEntryBlock();
@@ -170,8 +170,8 @@ bool Schedule::needsLane(unsigned index) const {
   return false;
 }
 
-/// Whether jumping over a region costs less than running it idle. The units are about a cycle each; the
-/// limit is what a test and, now and then, a mispredicted jump cost.
+/// Whether jumping over a region costs less than running it idle. The units are about a cycle each;
+/// the limit is what a test and, now and then, a mispredicted jump cost.
 bool Schedule::isWorthGuard(unsigned index) const {
   constexpr unsigned limit = 24;
   unsigned cost = 0;
@@ -217,8 +217,8 @@ void Schedule::reset() {
   nodes.clear();
 }
 
-/// Whether every path from \p from meets \p to before it leaves the loop around both or begins its next
-/// iteration. (Post-dominance is not enough: a path may leave the loop and come back to it.)
+/// Whether every path from \p from meets \p to before it leaves the loop around both or begins its
+/// next iteration. (Post-dominance is not enough: a path may leave the loop and come back to it.)
 bool Schedule::alwaysMeets(const BasicBlock *from, const BasicBlock *to, const Loop *loop) const {
   SmallVector<const BasicBlock *, 16> stack = {from};
   SmallPtrSet<const BasicBlock *, 16> seen = {from};
@@ -256,8 +256,8 @@ unsigned Schedule::leaderOf(unsigned index) const {
   return index;
 }
 
-/// Sends the lanes bound for \p targets on: the first runs next, for the others they wait. \p direct is
-/// the one target that all lanes at \p from are bound for, if there is one.
+/// Sends the lanes bound for \p targets on: the first runs next, for the others they wait. \p
+/// direct is the one target that all lanes at \p from are bound for, if there is one.
 unsigned Schedule::route(unsigned from, SmallVector<unsigned, 8> targets, unsigned direct) {
   sort(targets);
   targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
@@ -417,7 +417,8 @@ void Schedule::print(raw_ostream &out) const {
       out << "  branch " << nameOf(plan.next[0]) << ", " << nameOf(plan.next[1]) << "\n";
       break;
     case Exit::RepeatIfAny:
-      out << "  repeat if any, else " << (plan.next[0] == None ? "never" : nameOf(plan.next[0])) << "\n";
+      out << "  repeat if any, else " << (plan.next[0] == None ? "never" : nameOf(plan.next[0]))
+          << "\n";
       break;
     }
   }

@@ -12,13 +12,14 @@
 
 namespace anysl {
 
-/// Decides how control flows in the widened function: which branches stay, in which order the sides of
-/// the others run, where empty sides are jumped over, and what is known of each block's mask.
+/// Decides how control flows in the widened function: which branches stay, in which order the sides
+/// of the others run, where empty sides are jumped over, and what is known of each block's mask.
 ///
-/// After "Partial Control-Flow Linearization" (Moll & Hack, PLDI 2018). Blocks are numbered such that
-/// edges lead forward, but for a loop's; that a loop's blocks are consecutive; and, within that, that the
-/// blocks that a block dominates are. Wherever lanes may part, the first of the targets runs next
-/// and the others become *pending*: the lanes bound for them wait until their number comes.
+/// After "Partial Control-Flow Linearization" (Moll & Hack, PLDI 2018). Blocks are numbered such
+/// that edges lead forward, but for a loop's; that a loop's blocks are consecutive; and, within
+/// that, that the blocks that a block dominates are. Wherever lanes may part, the first of the
+/// targets runs next and the others become *pending*: the lanes bound for them wait until their
+/// number comes.
 class Schedule {
 public:
   static constexpr unsigned None = ~0u;
@@ -26,8 +27,8 @@ public:
   enum class Exit {
     Return,
     Unreachable,
-    Jump,       ///< to next[0]
-    Branch,     ///< by a condition that is the same for all lanes: next[0] if true, next[1] if false
+    Jump,   ///< to next[0]
+    Branch, ///< by a condition that is the same for all lanes: next[0] if true, next[1] if false
     RepeatIfAny ///< of a divergent loop: to its header if any lane goes on, else next[0]
   };
 
@@ -48,13 +49,14 @@ public:
   };
 
   /// \p startsFull: all lanes are active when the function starts; otherwise at least one is.
-  Schedule(const llvm::Function &function, const llvm::LoopInfo &loops, const llvm::DominatorTree &dominators,
-           ShapeAnalysis &shapes, bool startsFull);
+  Schedule(const llvm::Function &function, const llvm::LoopInfo &loops,
+           const llvm::DominatorTree &dominators, ShapeAnalysis &shapes, bool startsFull);
 
   llvm::ArrayRef<Plan> plans() const { return list; }
   const Plan &plan(unsigned index) const { return list[index]; }
   unsigned indexOf(const llvm::BasicBlock *block) const { return indices.lookup(block); }
-  /// Whether, in the widened function, the body of block \p a runs on every path to the body of \p b.
+  /// Whether, in the widened function, the body of block \p a runs on every path to the body of \p
+  /// b.
   bool dominates(unsigned a, unsigned b) const;
 
   void print(llvm::raw_ostream &out) const;
@@ -83,8 +85,8 @@ private:
   llvm::DenseMap<const llvm::BasicBlock *, unsigned> reversePostOrder;
   llvm::SmallVector<Plan, 32> list;
 
-  // Each block has two nodes in the new control flow, 2i where it is entered and 2i + 1 its body past the
-  // guard. Edges come in order, so the dominator tree grows along.
+  // Each block has two nodes in the new control flow, 2i where it is entered and 2i + 1 its body
+  // past the guard. Edges come in order, so the dominator tree grows along.
   struct Node {
     unsigned parent = None;
     unsigned depth = 0;
@@ -94,12 +96,12 @@ private:
   llvm::SmallVector<Node, 64> nodes;
 };
 
-/// Whether an instruction may run for lanes that are not active, on whatever they hold. A function that
-/// is declared so may be called early, but not with arguments that no lane has computed.
+/// Whether an instruction may run for lanes that are not active, on whatever they hold. A function
+/// that is declared so may be called early, but not with arguments that no lane has computed.
 bool isHarmless(const llvm::Instruction &instruction);
 
-/// Whether an instruction of this shape runs as one scalar instruction that must not run when no lane
-/// is active: it may trap, or touches memory.
+/// Whether an instruction of this shape runs as one scalar instruction that must not run when no
+/// lane is active: it may trap, or touches memory.
 bool needsActiveLane(const llvm::Instruction &instruction, const ShapeAnalysis &shapes);
 
 } // namespace anysl

@@ -13,16 +13,16 @@
 namespace anysl {
 
 /// A value's shape: lane k has the value of lane 0 plus k times a constant stride (0: uniform), or
-/// nothing is known. Pointers stride in bytes. Statements hold for active lanes; whatever an idle lane
-/// holds is never looked at.
+/// nothing is known. Pointers stride in bytes. Statements hold for active lanes; whatever an idle
+/// lane holds is never looked at.
 class Shape {
 public:
   /// Not yet reached by the analysis; joins with anything.
   Shape() = default;
 
   static Shape uniform() { return Shape(Kind::Strided, 0, true, true); }
-  /// \p noSignedWrap and \p noUnsignedWrap say that base + k * stride is exact read as such a number, so
-  /// that the stride survives an extension.
+  /// \p noSignedWrap and \p noUnsignedWrap say that base + k * stride is exact read as such a
+  /// number, so that the stride survives an extension.
   static Shape strided(int64_t stride, bool noSignedWrap, bool noUnsignedWrap) {
     if (stride == 0)
       return uniform();

@@ -8,8 +8,9 @@
 // An optimistic fixed point: everything starts out unreached, shapes only fall from there, and each
 // branch that turns out divergent makes phis fall where its sides meet. Meeting points are found by
 // sending a label down each side (the idea of sync dependence, Karrenberg & Hack 2012; LLVM's
-// UniformityAnalysis does the same): where two labels meet, lanes meet. If one side can reach the end
-// of a loop's iteration with another label than an exit of it, lanes leave that loop at different times.
+// UniformityAnalysis does the same): where two labels meet, lanes meet. If one side can reach the
+// end of a loop's iteration with another label than an exit of it, lanes leave that loop at
+// different times.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -202,7 +203,8 @@ Shape ShapeAnalysis::transferPhi(const PHINode &phi) const {
     return joined.isUnknown() ? Shape() : Shape::varying();
   // One value from all sides; it still differs between lanes that left its loop at different times.
   if (const auto *source = dyn_cast_or_null<Instruction>(common))
-    for (const Loop *loop = loops.getLoopFor(source->getParent()); loop; loop = loop->getParentLoop())
+    for (const Loop *loop = loops.getLoopFor(source->getParent()); loop;
+         loop = loop->getParentLoop())
       if (!loop->contains(phi.getParent()) && divergentLoops.contains(loop))
         return joined.isUnknown() ? Shape() : Shape::varying();
   return joined;
@@ -241,7 +243,8 @@ Shape ShapeAnalysis::transfer(const Instruction &instruction) const {
     return Shape::uniform();
 
   if (const auto *gep = dyn_cast<GetElementPtrInst>(&instruction))
-    return transferGep(*cast<GEPOperator>(gep), [this](const Value *v) { return shapeOf(v); }, layout);
+    return transferGep(
+        *cast<GEPOperator>(gep), [this](const Value *v) { return shapeOf(v); }, layout);
 
   // Everything below knows strides of integers and pointers only.
   auto operandShape = [&](unsigned i) { return shapeOf(instruction.getOperand(i)); };
@@ -297,7 +300,8 @@ void ShapeAnalysis::loopDiverges(const Loop *loop) {
 /// lanes that took part; \p root the branch, or null if the starts are a divergent loop's exits.
 void ShapeAnalysis::propagate(ArrayRef<const BasicBlock *> starts, const BasicBlock *root,
                               const Loop *around) {
-  // A label names a start (even), or a join from which on lanes go on together (odd). 0 is no label.
+  // A label names a start (even), or a join from which on lanes go on together (odd). 0 is no
+  // label.
   using Label = unsigned;
   auto startLabel = [&](const BasicBlock *block) { return 2 * position.lookup(block) + 2; };
   auto joinLabel = [&](const BasicBlock *block) { return 2 * position.lookup(block) + 3; };

@@ -19,10 +19,10 @@ namespace anysl {
 
 /// Finds which values differ between lanes, and where lanes part and meet again.
 ///
-/// Needs a function as `normalize` leaves it: reducible, loops with preheader, one latch and exits of
-/// their own, closed SSA, no switches. Three things make a value differ: its operands; for a phi, paths
-/// on which lanes come from different sides of a divergent branch; and leaving a loop at different times
-/// with a value that changes from iteration to iteration.
+/// Needs a function as `normalize` leaves it: reducible, loops with preheader, one latch and exits
+/// of their own, closed SSA, no switches. Three things make a value differ: its operands; for a
+/// phi, paths on which lanes come from different sides of a divergent branch; and leaving a loop at
+/// different times with a value that changes from iteration to iteration.
 class ShapeAnalysis {
 public:
   ShapeAnalysis(const llvm::Function &function, const llvm::LoopInfo &loops,
@@ -30,7 +30,9 @@ public:
 
   Shape shapeOf(const llvm::Value *value) const;
   /// Whether lanes may take different successors here at the same time.
-  bool isDivergentBranch(const llvm::BasicBlock *block) const { return divergentBranches.contains(block); }
+  bool isDivergentBranch(const llvm::BasicBlock *block) const {
+    return divergentBranches.contains(block);
+  }
   /// Whether lanes may leave in different iterations.
   bool isDivergentLoop(const llvm::Loop *loop) const { return divergentLoops.contains(loop); }
   /// Makes a loop divergent that the schedule cannot run otherwise, and repeats the analysis.

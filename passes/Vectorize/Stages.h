@@ -15,8 +15,8 @@
 
 namespace anysl {
 
-/// The shapes that a variant's name gives the parameters. A linear parameter does not wrap within the
-/// lanes, whether it is read as signed or not.
+/// The shapes that a variant's name gives the parameters. A linear parameter does not wrap within
+/// the lanes, whether it is read as signed or not.
 llvm::SmallVector<Shape, 8> argumentShapes(const VariantName &name);
 
 /// All that is known of a normalised function before it is widened.
@@ -30,8 +30,8 @@ struct Analyses {
   Schedule schedule;
 };
 
-/// The passes `print<anysl-shapes>` and `print<anysl-schedule>`: what a stage finds for each variant that
-/// a function, normalised before, asks for.
+/// The passes `print<anysl-shapes>` and `print<anysl-schedule>`: what a stage finds for each
+/// variant that a function, normalised before, asks for.
 class PrintStagePass : public llvm::PassInfoMixin<PrintStagePass> {
 public:
   enum class Stage { Shapes, Schedule };

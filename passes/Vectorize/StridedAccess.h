@@ -1,5 +1,4 @@
-//===-- passes/Vectorize/StridedAccess.h - records in memory, lane by lane -----------*- C++
-//-*-===//
+//===-- passes/Vectorize/StridedAccess.h - records in memory, lane by lane ----------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

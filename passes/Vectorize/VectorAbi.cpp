@@ -7,9 +7,9 @@
 
 #include "passes/Vectorize/VectorAbi.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/IR/Module.h"
 #include "llvm/IR/VFABIDemangler.h"
-#include "llvm/ADT/StringExtras.h"
 
 using namespace llvm;
 
@@ -258,8 +258,9 @@ std::optional<VariantSignature> VariantSignature::get(const VariantName &name, F
       }
       slot = signature.vectorSlot(name.isa, type);
     }
-    Type *passed = slot.form == Form::Direct ? slot.type
-                                             : FixedVectorType::get(slot.element, slot.lanesPerPiece);
+    Type *passed = slot.form == Form::Direct
+                       ? slot.type
+                       : FixedVectorType::get(slot.element, slot.lanesPerPiece);
     types.append(slot.pieces, passed);
     signature.slots.push_back(slot);
   }
@@ -337,10 +338,11 @@ std::optional<VariantSignature> VariantSignature::getFor(const VariantName &name
       slot.lanesPerPiece = std::min(type->getIntegerBitWidth(), name.width);
       slot.pieces = name.width / slot.lanesPerPiece;
     } else if (auto *vector = dyn_cast<FixedVectorType>(type)) {
-      bool fits = isMask ? vector->getElementType()->isIntegerTy() ||
-                               vector->getElementType()->isFloatingPointTy()
-                         : vector->getElementType() == element ||
-                               (element->isIntegerTy(1) && vector->getElementType()->isIntegerTy(8));
+      bool fits = isMask
+                      ? vector->getElementType()->isIntegerTy() ||
+                            vector->getElementType()->isFloatingPointTy()
+                      : vector->getElementType() == element ||
+                            (element->isIntegerTy(1) && vector->getElementType()->isIntegerTy(8));
       if (!fits || name.width % vector->getNumElements())
         return std::nullopt;
       slot.element = vector->getElementType();
@@ -408,8 +410,8 @@ static Value *signBits(IRBuilder<> &builder, Value *mask) {
   auto *type = cast<FixedVectorType>(mask->getType());
   if (type->getElementType()->isIntegerTy(1))
     return mask;
-  Type *integers = FixedVectorType::get(
-      builder.getIntNTy(type->getScalarSizeInBits()), type->getNumElements());
+  Type *integers =
+      FixedVectorType::get(builder.getIntNTy(type->getScalarSizeInBits()), type->getNumElements());
   Value *bits = builder.CreateBitCast(mask, integers);
   return builder.CreateICmpSLT(bits, Constant::getNullValue(integers));
 }
@@ -476,8 +478,8 @@ void VariantSignature::pack(IRBuilder<> &builder, const Slot &slot, Value *value
     for (unsigned i = 0; i < slot.pieces; ++i) {
       Value *lanes = value;
       if (slot.pieces > 1)
-        lanes = builder.CreateShuffleVector(
-            value, laneRange(i * slot.lanesPerPiece, slot.lanesPerPiece));
+        lanes = builder.CreateShuffleVector(value,
+                                            laneRange(i * slot.lanesPerPiece, slot.lanesPerPiece));
       Value *bits = builder.CreateBitCast(lanes, builder.getIntNTy(slot.lanesPerPiece));
       pieces.push_back(builder.CreateZExt(bits, slot.element));
     }

@@ -5,8 +5,9 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// The x86 vector function ABI (sourceware.org/glibc/wiki/libmvec, as GCC implements it): how a variant
-// is named, which type each of its arguments has, and how lanes are packed into those arguments.
+// The x86 vector function ABI (sourceware.org/glibc/wiki/libmvec, as GCC implements it): how a
+// variant is named, which type each of its arguments has, and how lanes are packed into those
+// arguments.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -57,12 +58,12 @@ llvm::Type *widenedType(llvm::Type *type, unsigned width);
 /// A variant's signature, and the packing of widened values into its arguments.
 class VariantSignature {
 public:
-  /// \p scalar is the function that the variant belongs to. Nothing where the name does not fit it; then
-  /// \p why says so.
+  /// \p scalar is the function that the variant belongs to. Nothing where the name does not fit it;
+  /// then \p why says so.
   static std::optional<VariantSignature> get(const VariantName &name, llvm::FunctionType *scalar,
                                              const llvm::DataLayout &layout, std::string &why);
-  /// The same, for a variant that is given with a type of its own (a mask in another form, vectors by
-  /// reference).
+  /// The same, for a variant that is given with a type of its own (a mask in another form, vectors
+  /// by reference).
   static std::optional<VariantSignature> getFor(const VariantName &name, llvm::FunctionType *scalar,
                                                 const llvm::Function &variant, std::string &why);
 
@@ -70,14 +71,15 @@ public:
   /// Adds the attributes that passing needs (sret).
   void addAttributes(llvm::Function &function) const;
 
-  /// In a variant's entry block: the widened value of each scalar parameter that is a Vector; for the
-  /// others the argument as it is; last, if masked, the mask as <W x i1>.
+  /// In a variant's entry block: the widened value of each scalar parameter that is a Vector; for
+  /// the others the argument as it is; last, if masked, the mask as <W x i1>.
   llvm::SmallVector<llvm::Value *, 8> unpackArguments(llvm::IRBuilder<> &builder,
                                                       llvm::Function &variant) const;
   /// Emits the return of a widened value (null for void).
   void packReturn(llvm::IRBuilder<> &builder, llvm::Function &variant, llvm::Value *value) const;
 
-  /// Calls a variant with the arguments that unpackArguments would give back; returns the widened result.
+  /// Calls a variant with the arguments that unpackArguments would give back; returns the widened
+  /// result.
   llvm::CallInst *call(llvm::IRBuilder<> &builder, llvm::FunctionCallee variant,
                        llvm::ArrayRef<llvm::Value *> arguments, llvm::Value *&result) const;
 

@@ -58,9 +58,10 @@ void adoptVariantAnnotations(Module &module) {
   for (Value *entry : list->operands()) {
     auto *fields = dyn_cast<ConstantStruct>(entry);
     StringRef text;
-    auto *function = fields ? dyn_cast<Function>(fields->getOperand(0)->stripPointerCasts()) : nullptr;
-    auto *string = fields ? dyn_cast<GlobalVariable>(fields->getOperand(1)->stripPointerCasts())
-                          : nullptr;
+    auto *function =
+        fields ? dyn_cast<Function>(fields->getOperand(0)->stripPointerCasts()) : nullptr;
+    auto *string =
+        fields ? dyn_cast<GlobalVariable>(fields->getOperand(1)->stripPointerCasts()) : nullptr;
     if (function && string && string->hasInitializer())
       if (auto *data = dyn_cast<ConstantDataSequential>(string->getInitializer());
           data && data->isCString())
@@ -185,8 +186,8 @@ void VariantMaker::verify(const Function &function, StringRef stage) {
   std::string text;
   raw_string_ostream out(text);
   if (verifyFunction(function, &out))
-    report_fatal_error(Twine("anysl-vectorize: ") + function.getName() + " is broken after " + stage +
-                       ":\n" + text);
+    report_fatal_error(Twine("anysl-vectorize: ") + function.getName() + " is broken after " +
+                       stage + ":\n" + text);
 }
 
 void VariantMaker::ask(Function &scalar, const VariantName &name) {
@@ -248,8 +249,8 @@ Function *VariantMaker::request(const Request &request, VariantName &name) {
     return module.getFunction(name.functionName);
   }
   std::string why;
-  auto signature = VariantSignature::get(name, request.scalar->getFunctionType(),
-                                         module.getDataLayout(), why);
+  auto signature =
+      VariantSignature::get(name, request.scalar->getFunctionType(), module.getDataLayout(), why);
   if (!signature)
     return nullptr;
   auto *wide = Function::Create(signature->type(), GlobalValue::InternalLinkage, key, module);
@@ -314,8 +315,8 @@ void VariantMaker::setAttributes(Function &wide, const Function &scalar, const V
     Type *own = scalar.getFunctionType()->getParamType(i);
     if (param.kind == VariantParam::Kind::Vector) {
       // Skip all pieces of the vector.
-      unsigned lanes = isa<FixedVectorType>(type) ? cast<FixedVectorType>(type)->getNumElements()
-                                                  : name.width;
+      unsigned lanes =
+          isa<FixedVectorType>(type) ? cast<FixedVectorType>(type)->getNumElements() : name.width;
       next += std::max(1u, name.width / lanes);
       continue;
     }
@@ -360,8 +361,8 @@ bool VariantMaker::make(const Job &job) {
             *this, remarks, scalar)
         .run();
   }
-  // Where two functions disagree on whether a 512-bit register is there, one passes what the other does
-  // not find.
+  // Where two functions disagree on whether a 512-bit register is there, one passes what the other
+  // does not find.
   if (unsigned bits = widestPassed(wide))
     setVectorWidth(wide, std::min(bits, 512u));
   wide.setSubprogram(copy->getSubprogram());

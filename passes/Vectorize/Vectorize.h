@@ -51,31 +51,32 @@ struct VectorizeOptions {
   /// Run LLVM's verifier after every internal stage. Always done in debug builds.
   bool verifyEach = false;
   /// Is told every remark. Without one they go to the module's context as LLVM's optimisation
-  /// remarks of the pass `anysl-vectorize` (-Rpass=anysl-vectorize and so on); with one, they do both.
+  /// remarks of the pass `anysl-vectorize` (-Rpass=anysl-vectorize and so on); with one, they do
+  /// both.
   std::function<void(const VectorizeRemark &)> onRemark;
 };
 
-/// Defines every vector variant that the functions of \p module ask for by attribute ("_ZGVdM8uul_f",
-/// or "vector-function-abi-variant"="_ZGV_LLVM_M8ul_f,...") and that has no body yet. A variant whose
-/// attribute ends in "(name)" is called `name`, any other by its mangled name; it has the scalar
-/// function's linkage. Attributes that are no variant names are left alone, and so are those for
-/// another instruction set than x86's `b c d e` and `_LLVM_`.
+/// Defines every vector variant that the functions of \p module ask for by attribute
+/// ("_ZGVdM8uul_f", or "vector-function-abi-variant"="_ZGV_LLVM_M8ul_f,...") and that has no body
+/// yet. A variant whose attribute ends in "(name)" is called `name`, any other by its mangled name;
+/// it has the scalar function's linkage. Attributes that are no variant names are left alone, and
+/// so are those for another instruction set than x86's `b c d e` and `_LLVM_`.
 ///
 /// \p targetMachine, which may be null, supplies costs to the clean-up. Returns whether the module
 /// has changed.
 bool defineVectorVariants(llvm::Module &module, const VectorizeOptions &options,
                           llvm::TargetMachine *targetMachine);
 
-/// Asks for a variant by an attribute of the function, as clang does for `declare simd`. The name may be
-/// followed by "(f_x8)", what the variant's own function is called.
+/// Asks for a variant by an attribute of the function, as clang does for `declare simd`. The name
+/// may be followed by "(f_x8)", what the variant's own function is called.
 void addVectorVariant(llvm::Function &function, llvm::StringRef mangledName);
 
 /// Removes every attribute that names a vector variant, which nothing after widening needs.
 void removeVectorVariants(llvm::Function &function);
 
-/// Turns __attribute__((annotate("anysl.vector_variant:_ZGV_LLVM_M8uvl4_f(f_x8)"))) on functions of a
-/// module compiled by clang into variant attributes, and keeps all other annotations. Functions named
-/// as variants must be given in the module, or be declared. Both forms are taken to return.
+/// Turns __attribute__((annotate("anysl.vector_variant:_ZGV_LLVM_M8uvl4_f(f_x8)"))) on functions of
+/// a module compiled by clang into variant attributes, and keeps all other annotations. Functions
+/// named as variants must be given in the module, or be declared. Both forms are taken to return.
 void adoptVariantAnnotations(llvm::Module &module);
 
 /// Tells code generation that \p function uses vectors of \p bits bits, so that it passes and keeps
@@ -85,7 +86,8 @@ void setVectorWidth(llvm::Function &function, unsigned bits);
 /// The pass `anysl-vectorize<width=W>`.
 class VectorizePass : public llvm::PassInfoMixin<VectorizePass> {
 public:
-  explicit VectorizePass(VectorizeOptions options = {}, llvm::TargetMachine *targetMachine = nullptr)
+  explicit VectorizePass(VectorizeOptions options = {},
+                         llvm::TargetMachine *targetMachine = nullptr)
       : options(std::move(options)), targetMachine(targetMachine) {}
   llvm::PreservedAnalyses run(llvm::Module &module, llvm::ModuleAnalysisManager &analyses);
   static bool isRequired() { return true; }

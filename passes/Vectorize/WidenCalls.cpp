@@ -54,8 +54,8 @@ static bool worksOnLanes(Intrinsic::ID id) {
 }
 
 /// Whether llvm.fmuladd, which is one rounding or two as the processor likes, means the same in the
-/// variant as in the scalar function: the letters d and e give the variant multiply-adds that the scalar
-/// function may not have, and would change its results.
+/// variant as in the scalar function: the letters d and e give the variant multiply-adds that the
+/// scalar function may not have, and would change its results.
 bool Widener::fusesLikeScalar() const {
   if (!featuresOf(name.isa).contains("+fma"))
     return true;
@@ -86,8 +86,8 @@ bool Widener::widenIntrinsic(IntrinsicInst &call) {
     define(call, broadcast(builder.CreateStackSave()));
     return true;
   case Intrinsic::stackrestore:
-    builder.CreateStackRestore(builder.CreateExtractElement(vector(call.getArgOperand(0)),
-                                                            uint64_t(0)));
+    builder.CreateStackRestore(
+        builder.CreateExtractElement(vector(call.getArgOperand(0)), uint64_t(0)));
     return true;
   default:
     break;
@@ -133,8 +133,8 @@ bool Widener::widenIntrinsic(IntrinsicInst &call) {
   Intrinsic::getIntrinsicInfoTableEntries(id, table);
   for (auto [i, argument] : enumerate(call.args())) {
     Value *operand = argument.get();
-    bool scalarOperand = isVectorIntrinsicWithScalarOpAtArg(id, i) ||
-                         call.paramHasAttr(i, Attribute::ImmArg);
+    bool scalarOperand =
+        isVectorIntrinsicWithScalarOpAtArg(id, i) || call.paramHasAttr(i, Attribute::ImmArg);
     if (scalarOperand && !isa<Constant>(operand) && !shapeOf(operand).isUniform())
       return false;
     arguments.push_back(scalarOperand ? base(operand) : vector(operand));
@@ -157,7 +157,8 @@ bool Widener::widenIntrinsic(IntrinsicInst &call) {
 
 //===-- Variants ------------------------------------------------------------===//
 
-/// How well an instruction set fits a caller of another: the same, then LLVM's own, then smaller ones.
+/// How well an instruction set fits a caller of another: the same, then LLVM's own, then smaller
+/// ones.
 static int preference(Isa callee, Isa caller) {
   if (callee == caller)
     return 8;
@@ -314,7 +315,8 @@ bool Widener::callVariant(CallInst &call) {
     Type *type = operand->getType();
     if (shape.isUniform()) {
       param.kind = VariantParam::Kind::Uniform;
-    } else if (shape.isStrided() && (type->isPointerTy() || (shape.noSignedWrap() && shape.noUnsignedWrap()))) {
+    } else if (shape.isStrided() &&
+               (type->isPointerTy() || (shape.noSignedWrap() && shape.noUnsignedWrap()))) {
       param.kind = VariantParam::Kind::Linear;
       param.step = shape.stride();
     }

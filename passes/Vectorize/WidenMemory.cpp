@@ -68,10 +68,9 @@ Value *Widener::load(Type *type, const Address &address, Align align, Instructio
     uint64_t size = layout.getTypeStoreSize(element);
     Value *result = PoisonValue::get(wide(type));
     for (unsigned i = 0; i < cast<FixedVectorType>(type)->getNumElements(); ++i)
-      result = builder.CreateInsertValue(result,
-                                         load(element, offset(address, i * size),
-                                              commonAlignment(align, i * size), origin),
-                                         i);
+      result = builder.CreateInsertValue(
+          result,
+          load(element, offset(address, i * size), commonAlignment(align, i * size), origin), i);
     return result;
   }
   // A narrow integer lies in a byte.
@@ -96,15 +95,15 @@ Value *Widener::load(Type *type, const Address &address, Align align, Instructio
     Instruction *loaded =
         isFull() ? (Instruction *)builder.CreateAlignedLoad(lanes, first, align)
                  : builder.CreateMaskedLoad(lanes, first, align, mask, PoisonValue::get(lanes));
-    loaded->copyMetadata(origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope,
-                                  LLVMContext::MD_noalias});
+    loaded->copyMetadata(
+        origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
     return backwards ? builder.CreateShuffleVector(loaded, reversed) : loaded;
   }
   remark(VectorizeRemark::Kind::Gather, origin, "loads from an unrelated address in each lane");
   CallInst *gathered = builder.CreateMaskedGather(lanes, lanePointers(address), align, mask,
                                                   PoisonValue::get(lanes));
-  gathered->copyMetadata(origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope,
-                                  LLVMContext::MD_noalias});
+  gathered->copyMetadata(
+      origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
   return gathered;
 }
 
@@ -115,7 +114,7 @@ void Widener::store(Value *value, Type *type, const Address &address, Align alig
     Type *same = type->isArrayTy()    ? type->getArrayElementType()
                  : type->isVectorTy() ? cast<FixedVectorType>(type)->getElementType()
                                       : nullptr;
-    unsigned count = isStruct             ? type->getStructNumElements()
+    unsigned count = isStruct            ? type->getStructNumElements()
                      : type->isArrayTy() ? type->getArrayNumElements()
                                          : cast<FixedVectorType>(type)->getNumElements();
     for (unsigned i = 0; i < count; ++i) {
@@ -147,15 +146,15 @@ void Widener::store(Value *value, Type *type, const Address &address, Align alig
     }
     Instruction *stored = isFull() ? (Instruction *)builder.CreateAlignedStore(value, first, align)
                                    : builder.CreateMaskedStore(value, first, align, mask);
-    stored->copyMetadata(origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope,
-                                  LLVMContext::MD_noalias});
+    stored->copyMetadata(
+        origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
     return;
   }
   remark(VectorizeRemark::Kind::Gather, origin, "stores to an unrelated address in each lane");
   // Lanes that share an address are written in order, as one after the other would.
   CallInst *scattered = builder.CreateMaskedScatter(value, lanePointers(address), align, mask);
-  scattered->copyMetadata(origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope,
-                                   LLVMContext::MD_noalias});
+  scattered->copyMetadata(
+      origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
 }
 
 /// Whether load() and store() can take the type apart into values that have a place of their own.
@@ -193,8 +192,8 @@ void Widener::widenStore(StoreInst &instruction) {
     // All lanes write the same place; one after the other, the last would stay.
     Value *last = extractLane(vector(value), type, lastActiveLane());
     auto *stored = builder.CreateAlignedStore(last, base(pointer), instruction.getAlign());
-    stored->copyMetadata(instruction, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope,
-                                       LLVMContext::MD_noalias});
+    stored->copyMetadata(
+        instruction, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
     return;
   }
   if (!isSimpleInMemory(type, laneSized))
@@ -210,9 +209,9 @@ void Widener::widenAlloca(AllocaInst &instruction) {
     IRBuilder<> start(variablesEnd);
     bool isStatic = instruction.isStaticAlloca();
     IRBuilder<> &where = isStatic ? start : builder;
-    AllocaInst *copies = where.CreateAlloca(
-        ArrayType::get(builder.getInt8Ty(), shapeOf(&instruction).stride()),
-        instruction.getAddressSpace(), where.getInt32(width));
+    AllocaInst *copies =
+        where.CreateAlloca(ArrayType::get(builder.getInt8Ty(), shapeOf(&instruction).stride()),
+                           instruction.getAddressSpace(), where.getInt32(width));
     copies->setAlignment(instruction.getAlign());
     return define(instruction, copies);
   }
@@ -226,8 +225,8 @@ void Widener::widenAlloca(AllocaInst &instruction) {
     size = builder.CreateIntMaxReduce(builder.CreateSelect(currentMask(), lanes, none), false);
   }
   if (!isOccupied())
-    size = builder.CreateSelect(anyLane(currentMask()), size,
-                                Constant::getNullValue(size->getType()));
+    size =
+        builder.CreateSelect(anyLane(currentMask()), size, Constant::getNullValue(size->getType()));
   size = builder.CreateZExtOrTrunc(size, builder.getInt64Ty());
   AllocaInst *copies = builder.CreateAlloca(type, instruction.getAddressSpace(),
                                             builder.CreateMul(size, builder.getInt64(width)));
@@ -235,12 +234,14 @@ void Widener::widenAlloca(AllocaInst &instruction) {
   SmallVector<Constant *, 32> lanes;
   for (unsigned lane = 0; lane < width; ++lane)
     lanes.push_back(builder.getInt64(lane));
-  Value *index = builder.CreateMul(builder.CreateVectorSplat(width, size), ConstantVector::get(lanes));
+  Value *index =
+      builder.CreateMul(builder.CreateVectorSplat(width, size), ConstantVector::get(lanes));
   define(instruction, builder.CreateGEP(type, copies, index));
 }
 
 void Widener::widenGep(GetElementPtrInst &instruction) {
-  // What is the same for all lanes stays scalar: base plus vector of offsets is a gather's best form.
+  // What is the same for all lanes stays scalar: base plus vector of offsets is a gather's best
+  // form.
   auto part = [&](Value *operand) {
     return shapeOf(operand).isUniform() ? base(operand) : vector(operand);
   };

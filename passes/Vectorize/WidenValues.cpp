@@ -57,10 +57,9 @@ void Widener::widen(Instruction &instruction) {
   }
   case Instruction::InsertValue: {
     auto &insert = cast<InsertValueInst>(instruction);
-    return define(instruction,
-                  builder.CreateInsertValue(vector(insert.getAggregateOperand()),
-                                            vector(insert.getInsertedValueOperand()),
-                                            insert.getIndices()));
+    return define(instruction, builder.CreateInsertValue(vector(insert.getAggregateOperand()),
+                                                         vector(insert.getInsertedValueOperand()),
+                                                         insert.getIndices()));
   }
   case Instruction::ExtractElement: {
     // A vector per lane is widened to an array of vectors, one an element.
@@ -98,23 +97,26 @@ void Widener::widen(Instruction &instruction) {
     return replicate(instruction);
   }
 
-  Value *result = mapLeaves(instruction.getType(), operands, [&](ArrayRef<Value *> leaves) -> Value * {
-    Value *leaf = nullptr;
-    switch (instruction.getOpcode()) {
-    case Instruction::FNeg:
-      leaf = builder.CreateFNeg(leaves[0]);
-      break;
-    case Instruction::ICmp:
-      return builder.CreateICmp(cast<CmpInst>(instruction).getPredicate(), leaves[0], leaves[1]);
-    case Instruction::FCmp:
-      leaf = builder.CreateFCmp(cast<CmpInst>(instruction).getPredicate(), leaves[0], leaves[1]);
-      break;
-    default:
-      return builder.CreateFreeze(leaves[0]);
-    }
-    copyFlags(leaf, instruction);
-    return leaf;
-  });
+  Value *result =
+      mapLeaves(instruction.getType(), operands, [&](ArrayRef<Value *> leaves) -> Value * {
+        Value *leaf = nullptr;
+        switch (instruction.getOpcode()) {
+        case Instruction::FNeg:
+          leaf = builder.CreateFNeg(leaves[0]);
+          break;
+        case Instruction::ICmp:
+          return builder.CreateICmp(cast<CmpInst>(instruction).getPredicate(), leaves[0],
+                                    leaves[1]);
+        case Instruction::FCmp:
+          leaf =
+              builder.CreateFCmp(cast<CmpInst>(instruction).getPredicate(), leaves[0], leaves[1]);
+          break;
+        default:
+          return builder.CreateFreeze(leaves[0]);
+        }
+        copyFlags(leaf, instruction);
+        return leaf;
+      });
   define(instruction, result);
 }
 
@@ -146,7 +148,8 @@ Value *Widener::mapLeaves(Type *type, ArrayRef<Value *> operands,
   Type *shape = operands[0]->getType();
   if (!shape->isAggregateType())
     return leaf(operands);
-  unsigned count = shape->isArrayTy() ? shape->getArrayNumElements() : shape->getStructNumElements();
+  unsigned count =
+      shape->isArrayTy() ? shape->getArrayNumElements() : shape->getStructNumElements();
   Value *result = nullptr;
   for (unsigned i = 0; i < count; ++i) {
     SmallVector<Value *, 4> parts;
@@ -185,8 +188,8 @@ Value *Widener::safeDivisor(BinaryOperator &op, Value *divisor) {
   if (isFull())
     return divisor;
   const APInt *constant;
-  if (PatternMatch::match(op.getOperand(1), PatternMatch::m_APInt(constant)) && !constant->isZero() &&
-      !constant->isAllOnes())
+  if (PatternMatch::match(op.getOperand(1), PatternMatch::m_APInt(constant)) &&
+      !constant->isZero() && !constant->isAllOnes())
     return divisor;
   Value *mask = currentMask();
   return mapLeaves(op.getType(), {divisor}, [&](ArrayRef<Value *> leaves) {
@@ -272,10 +275,10 @@ Value *Widener::insertLane(Value *widened, Value *value, Value *lane) {
     return builder.CreateInsertElement(widened, value, lane);
   unsigned count = type->isArrayTy() ? type->getArrayNumElements() : type->getStructNumElements();
   for (unsigned i = 0; i < count; ++i)
-    widened = builder.CreateInsertValue(
-        widened,
-        insertLane(builder.CreateExtractValue(widened, i), builder.CreateExtractValue(value, i), lane),
-        i);
+    widened = builder.CreateInsertValue(widened,
+                                        insertLane(builder.CreateExtractValue(widened, i),
+                                                   builder.CreateExtractValue(value, i), lane),
+                                        i);
   return widened;
 }
 
@@ -309,8 +312,9 @@ void Widener::replicate(Instruction &instruction) {
   }
   pattern->dropUnknownNonDebugMetadata();
 
-  // A loop picks lanes from memory: x86 has no other way to address a lane by number, and LLVM would
-  // write the whole vector there in each iteration (and fails to call a pointer that it picked so).
+  // A loop picks lanes from memory: x86 has no other way to address a lane by number, and LLVM
+  // would write the whole vector there in each iteration (and fails to call a pointer that it
+  // picked so).
   auto inMemory = [&](Type *type) {
     IRBuilder<> start(variablesEnd);
     return start.CreateAlloca(FixedVectorType::get(type, width), nullptr, "lanes");
@@ -331,8 +335,9 @@ void Widener::replicate(Instruction &instruction) {
     Instruction *copy = pattern->clone();
     for (auto [operand, lanes, memory] : varying) {
       Type *type = instruction.getOperand(operand)->getType();
-      copy->setOperand(operand, memory ? builder.CreateLoad(type, builder.CreateGEP(type, memory, lane))
-                                       : extractLane(lanes, type, lane));
+      copy->setOperand(operand,
+                       memory ? builder.CreateLoad(type, builder.CreateGEP(type, memory, lane))
+                              : extractLane(lanes, type, lane));
     }
     builder.Insert(copy);
     if (!returns)

@@ -5,11 +5,11 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Blocks are emitted in the schedule's order. What has to outlive them on paths that no longer follow
-// the scalar function's, that is masks, phis and values whose definition no longer dominates a
-// use, goes through variables in memory, which are promoted to registers at the end. So SSA form is
-// repaired by LLVM's own algorithm, and since a variable starts out as poison (a mask as false), a select
-// against a value that was never set folds away.
+// Blocks are emitted in the schedule's order. What has to outlive them on paths that no longer
+// follow the scalar function's, that is masks, phis and values whose definition no longer dominates
+// a use, goes through variables in memory, which are promoted to registers at the end. So SSA form
+// is repaired by LLVM's own algorithm, and since a variable starts out as poison (a mask as false),
+// a select against a value that was never set folds away.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -147,7 +147,8 @@ Value *Widener::blend(Value *mask, Value *ifActive, Value *otherwise) {
 }
 
 /// A variable that is \p initial again in each iteration of the loop around \p home.
-AllocaInst *Widener::variable(Type *type, Value *initial, const BasicBlock *home, const Twine &name) {
+AllocaInst *Widener::variable(Type *type, Value *initial, const BasicBlock *home,
+                              const Twine &name) {
   IRBuilder<> start(variablesEnd);
   AllocaInst *memory = start.CreateAlloca(type, nullptr, name);
   variables.push_back(memory);
@@ -313,7 +314,8 @@ void Widener::emitBlock(unsigned index) {
   emitExit(index);
 }
 
-/// What happens where lanes take an edge: the target's phis get their values, and its mask the lanes.
+/// What happens where lanes take an edge: the target's phis get their values, and its mask the
+/// lanes.
 /// \p direct says that the target runs next, for all lanes that are here.
 void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool direct) {
   const BasicBlock *source = schedule.plan(from).block;
@@ -383,9 +385,9 @@ void Widener::emitExit(unsigned index) {
       condition = builder.CreateFreeze(condition);
     BasicBlock *edges[2];
     for (unsigned i = 0; i < 2; ++i)
-      edges[i] = BasicBlock::Create(context, plan.block->getName() + ".to." +
-                                                 branch->getSuccessor(i)->getName(),
-                                    &widened, blocks[index].body->getNextNode());
+      edges[i] = BasicBlock::Create(
+          context, plan.block->getName() + ".to." + branch->getSuccessor(i)->getName(), &widened,
+          blocks[index].body->getNextNode());
     Value *mask = maskOf(index);
     // Values that the edges use must be fetched where both can see them.
     for (unsigned i = 0; i < 2; ++i)

@@ -6,8 +6,8 @@
 //===------------------------------------------------------------------------------------------===//
 //
 // Private to the vectoriser. Widener.cpp has the control flow and the bookkeeping of values,
-// WidenValues.cpp the instructions that compute, WidenMemory.cpp those that touch memory, WidenCalls.cpp
-// the calls.
+// WidenValues.cpp the instructions that compute, WidenMemory.cpp those that touch memory,
+// WidenCalls.cpp the calls.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -30,8 +30,8 @@ public:
     llvm::SmallVector<VariantParam, 8> params;
     bool masked;
     unsigned width;
-    Isa isa;                        ///< of the caller
-    const llvm::Function *caller;   ///< whose target features the variant takes over
+    Isa isa;                      ///< of the caller
+    const llvm::Function *caller; ///< whose target features the variant takes over
   };
   virtual ~VariantProvider() = default;
   /// A variant that is made from the body of a function in the module; null where that has none.
@@ -43,9 +43,9 @@ class Widener {
 public:
   /// \p reported is the function that remarks name.
   Widener(llvm::Function &scalar, llvm::Function &wide, const VariantName &name,
-          const VariantSignature &signature, const llvm::LoopInfo &loops, const ShapeAnalysis &shapes,
-          const Schedule &schedule, VariantProvider &provider, const Remarks &remarks,
-          const llvm::Function &reported);
+          const VariantSignature &signature, const llvm::LoopInfo &loops,
+          const ShapeAnalysis &shapes, const Schedule &schedule, VariantProvider &provider,
+          const Remarks &remarks, const llvm::Function &reported);
   void run();
 
 private:
@@ -93,7 +93,8 @@ private:
                    llvm::function_ref<Value *(llvm::ArrayRef<Value *>)> leaf);
   void copyFlags(Value *to, const Instruction &from);
 
-  /// Runs an instruction once per active lane, as a loop; or for all lanes in a row, if it is harmless.
+  /// Runs an instruction once per active lane, as a loop; or for all lanes in a row, if it is
+  /// harmless.
   void replicate(Instruction &instruction);
   Value *extractLane(Value *widened, llvm::Type *type, Value *lane);
   Value *insertLane(Value *widened, Value *scalar, Value *lane);
@@ -103,8 +104,8 @@ private:
   //===-- Memory, WidenMemory.cpp -------------------------------------------===//
   struct Address {
     Shape shape;
-    Value *base = nullptr;   ///< of lane 0, if strided
-    Value *lanes = nullptr;  ///< of all lanes, otherwise
+    Value *base = nullptr;  ///< of lane 0, if strided
+    Value *lanes = nullptr; ///< of all lanes, otherwise
   };
   Address addressOf(Value *pointer);
   Address offset(const Address &address, uint64_t bytes);
@@ -152,12 +153,12 @@ private:
   };
   llvm::SmallVector<Emitted, 32> blocks;
   llvm::BasicBlock *entryBlock = nullptr;
-  llvm::Instruction *variablesEnd = nullptr; ///< in the entry block, where variables get initial values
+  llvm::Instruction *variablesEnd = nullptr; ///< where variables get their initial values
   Value *entryMask = nullptr;
 
-  llvm::DenseMap<Value *, Value *> definitions; ///< base or vector, by shape
-  llvm::DenseMap<Value *, unsigned> definedIn;               ///< which scalar block
-  llvm::DenseMap<Value *, llvm::BasicBlock *> definedAt;     ///< which emitted block
+  llvm::DenseMap<Value *, Value *> definitions;          ///< base or vector, by shape
+  llvm::DenseMap<Value *, unsigned> definedIn;           ///< which scalar block
+  llvm::DenseMap<Value *, llvm::BasicBlock *> definedAt; ///< which emitted block
   llvm::DenseMap<Value *, llvm::AllocaInst *> demoted;
   llvm::DenseMap<Value *, Value *> fetched; ///< in the current block
   llvm::DenseMap<const llvm::PHINode *, llvm::AllocaInst *> phiVariables;

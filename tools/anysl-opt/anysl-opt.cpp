@@ -5,8 +5,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Runs a pass pipeline over a module, as `opt` does. The passes are linked in, so that this works in
-// sanitizer builds, whose plugin the distribution's opt cannot load.
+// Runs a pass pipeline over a module, as `opt` does. The passes are linked in, so that this works
+// in sanitizer builds, whose plugin the distribution's opt cannot load.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -39,7 +39,8 @@ static cl::opt<std::string> pipeline("passes", cl::desc("The passes to run, as o
                                      cl::Required, cl::cat(category));
 static cl::opt<bool> writeText("S", cl::desc("Write text instead of bitcode"), cl::cat(category));
 static cl::opt<bool> noOutput("disable-output", cl::desc("Write nothing"), cl::cat(category));
-static cl::opt<bool> verifyEach("verify-each", cl::desc("Verify after each pass"), cl::cat(category));
+static cl::opt<bool> verifyEach("verify-each", cl::desc("Verify after each pass"),
+                                cl::cat(category));
 static cl::opt<std::string> cpu("mcpu", cl::desc("The processor that costs are taken from"),
                                 cl::init("x86-64"), cl::cat(category));
 

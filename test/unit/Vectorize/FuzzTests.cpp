@@ -5,10 +5,10 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Fixed seeds, so that a run can be repeated. ANYSL_FUZZ_COUNT=N tests N functions instead of a few hundred,
-// ANYSL_FUZZ_FIRST=S starts at another seed, ANYSL_FUZZ_WRITE=DIR writes each failing function to a file, which
-// ANYSL_FUZZ_FILE=FILE with the hidden test "[file]" runs again (for llvm-reduce), ANYSL_DUMP=1 prints what is
-// compiled.
+// Fixed seeds, so that a run can be repeated. ANYSL_FUZZ_COUNT=N tests N functions instead of a few
+// hundred, ANYSL_FUZZ_FIRST=S starts at another seed, ANYSL_FUZZ_WRITE=DIR writes each failing
+// function to a file, which ANYSL_FUZZ_FILE=FILE with the hidden test "[file]" runs again (for
+// llvm-reduce), ANYSL_DUMP=1 prints what is compiled.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -37,7 +37,8 @@ static void fuzz(uint64_t first, uint64_t count) {
     unsigned width;
     const char *cpu;
   };
-  const Target targets[] = {{4, "x86-64-v2"}, {8, "x86-64-v3"}, {16, "x86-64-v4"}, {8, "x86-64-v4"}};
+  const Target targets[] = {
+      {4, "x86-64-v2"}, {8, "x86-64-v3"}, {16, "x86-64-v4"}, {8, "x86-64-v4"}};
   first = number("ANYSL_FUZZ_FIRST", first);
   count = number("ANYSL_FUZZ_COUNT", count);
   bool verbose = std::getenv("ANYSL_FUZZ_VERBOSE");
@@ -81,7 +82,9 @@ TEST_CASE("the function fuzz of a file gives the same bits in every lane", "[.fi
   CHECK(compareLanes(*module, "fuzz", how) == "");
 }
 
-TEST_CASE("random functions give the same bits in every lane, first part", "[fuzz]") { fuzz(1, 100); }
+TEST_CASE("random functions give the same bits in every lane, first part", "[fuzz]") {
+  fuzz(1, 100);
+}
 TEST_CASE("random functions give the same bits in every lane, second part", "[fuzz]") {
   fuzz(1000, 100);
 }

@@ -26,8 +26,9 @@ public:
   Generator(LLVMContext &context, uint64_t seed)
       : context(context), random(seed), builder(context),
         module(std::make_unique<Module>("fuzz", context)) {
-    types = {builder.getInt32Ty(),  builder.getFloatTy(), builder.getInt64Ty(), builder.getDoubleTy(),
-             builder.getInt16Ty(),  builder.getInt8Ty(),  builder.getInt1Ty()};
+    types = {builder.getInt32Ty(),  builder.getFloatTy(), builder.getInt64Ty(),
+             builder.getDoubleTy(), builder.getInt16Ty(), builder.getInt8Ty(),
+             builder.getInt1Ty()};
   }
   std::unique_ptr<Module> run();
 
@@ -188,8 +189,8 @@ Value *Generator::floatOperation(Type *type, bool uniform) {
     return builder.CreateSelect(condition(uniform), a, b);
   case 9:
     // A NaN's sign is nobody's business.
-    return builder.CreateBinaryIntrinsic(
-        Intrinsic::copysign, a, builder.CreateSelect(builder.CreateFCmpORD(b, b), b, a));
+    return builder.CreateBinaryIntrinsic(Intrinsic::copysign, a,
+                                         builder.CreateSelect(builder.CreateFCmpORD(b, b), b, a));
   default:
     return builder.CreateFAdd(a, b);
   }
@@ -262,18 +263,18 @@ Value *Generator::readMemory(Type *type) {
   };
   bool fromTable = (type->isFloatTy() || type->isIntegerTy(32)) && chance(40);
   if (fromTable) {
-    Value *index = builder.CreateAnd(value(builder.getInt32Ty(), chance(25)),
-                                     builder.getInt32(TABLE - 1));
+    Value *index =
+        builder.CreateAnd(value(builder.getInt32Ty(), chance(25)), builder.getInt32(TABLE - 1));
     if (chance(50))
       index = builder.CreateZExt(index, builder.getInt64Ty());
     uint64_t table = type->isFloatTy() ? offsetof(Args, table) : offsetof(Args, itable);
     return builder.CreateLoad(type, builder.CreateGEP(type, byte(table), index));
   }
   if (type->isFloatTy() && chance(25)) { // a structure per lane
-    Value *point = builder.CreateGEP(ArrayType::get(builder.getInt32Ty(), 4), byte(offsetof(Args, points)),
-                                     lane);
-    return builder.CreateLoad(type, builder.CreateGEP(builder.getFloatTy(), point,
-                                                      builder.getInt64(below(3))));
+    Value *point = builder.CreateGEP(ArrayType::get(builder.getInt32Ty(), 4),
+                                     byte(offsetof(Args, points)), lane);
+    return builder.CreateLoad(
+        type, builder.CreateGEP(builder.getFloatTy(), point, builder.getInt64(below(3))));
   }
   Field field = inputField(type);
   Value *row = byte(field.offset + below(field.rows) * field.row);
@@ -348,8 +349,8 @@ void Generator::callSomething() {
   if (!target || target->uniform)
     return;
   if (inKernel && chance(40)) {
-    Value *result = builder.CreateCall(opaque, {value(type, chance(30)),
-                                                value(builder.getFloatTy(), chance(30))});
+    Value *result = builder.CreateCall(
+        opaque, {value(type, chance(30)), value(builder.getFloatTy(), chance(30))});
     builder.CreateStore(result, target->memory);
     return;
   }
@@ -401,7 +402,8 @@ BasicBlock *Generator::guarded(ArrayRef<BasicBlock *> blocks, unsigned from, uns
   Function *function = end->getParent();
   BasicBlock *check = BasicBlock::Create(context, "back", function);
   builder.SetInsertPoint(check);
-  Value *left = builder.CreateSub(builder.CreateLoad(builder.getInt32Ty(), fuel), builder.getInt32(1));
+  Value *left =
+      builder.CreateSub(builder.CreateLoad(builder.getInt32Ty(), fuel), builder.getInt32(1));
   builder.CreateStore(left, fuel);
   builder.CreateCondBr(builder.CreateICmpSGT(left, builder.getInt32(0)), blocks[to], end);
   return check;
@@ -475,7 +477,8 @@ void Generator::generateBody(Function *function, unsigned size, bool isKernel) {
     builder.CreateStore(function->getArg(2), variables[0].memory);
     builder.CreateStore(function->getArg(3), variables[3].memory);
     BasicBlock *deep = BasicBlock::Create(context, "deep", function);
-    builder.CreateCondBr(builder.CreateICmpSGT(function->getArg(4), builder.getInt32(0)), deep, end);
+    builder.CreateCondBr(builder.CreateICmpSGT(function->getArg(4), builder.getInt32(0)), deep,
+                         end);
     builder.SetInsertPoint(deep);
   }
   SmallVector<BasicBlock *, 16> blocks;
@@ -498,7 +501,8 @@ void Generator::generateBody(Function *function, unsigned size, bool isKernel) {
       Field field = outputField(variable.type);
       Value *row = builder.CreateGEP(
           builder.getInt8Ty(), args,
-          builder.getInt64(field.offset + ((&variable - variables.data()) % field.rows) * field.row));
+          builder.getInt64(field.offset +
+                           ((&variable - variables.data()) % field.rows) * field.row));
       builder.CreateStore(builder.CreateLoad(variable.type, variable.memory),
                           builder.CreateGEP(variable.type, row, lane));
     }
@@ -509,16 +513,16 @@ std::unique_ptr<Module> Generator::run() {
   Type *i32 = builder.getInt32Ty();
   opaque = Function::Create(FunctionType::get(i32, {i32, builder.getFloatTy()}, false),
                             GlobalValue::ExternalLinkage, "anyslTestOpaque", *module);
-  auto *helperType = FunctionType::get(
-      i32, {builder.getPtrTy(), i32, i32, builder.getFloatTy(), i32}, false);
+  auto *helperType =
+      FunctionType::get(i32, {builder.getPtrTy(), i32, i32, builder.getFloatTy(), i32}, false);
   for (unsigned i = 0, count = below(3); i < count; ++i)
     helpers.push_back(
         Function::Create(helperType, GlobalValue::InternalLinkage, "helper", *module));
   for (Function *helper : helpers)
     generateBody(helper, 2 + below(5), false);
-  Function *kernel = Function::Create(
-      FunctionType::get(builder.getVoidTy(), {builder.getPtrTy(), i32}, false),
-      GlobalValue::ExternalLinkage, "fuzz", *module);
+  Function *kernel =
+      Function::Create(FunctionType::get(builder.getVoidTy(), {builder.getPtrTy(), i32}, false),
+                       GlobalValue::ExternalLinkage, "fuzz", *module);
   generateBody(kernel, 1 + below(2 + below(15)), true);
   return std::move(module);
 }

@@ -14,13 +14,15 @@
 
 namespace anysl::test {
 
-/// A module with a function `void fuzz(struct Args *, int lane)` (Kernels.h) that depends on the seed only.
+/// A module with a function `void fuzz(struct Args *, int lane)` (Kernels.h) that depends on the
+/// seed only.
 ///
 /// Its control flow is a random graph: any block may lead to any other by branches and switches, so
-/// loops nest, cross and have several entries; fuel that each step back uses up ends them. It computes with
-/// variables of all types, some the same in all lanes, reads tables, writes lane-private arrays and its
-/// own lane's outputs, and calls helper functions of the same kind, recursive ones and opaque ones. All of
-/// it is defined for every input: shifts are within range, conversions saturate, divisors are tested.
+/// loops nest, cross and have several entries; fuel that each step back uses up ends them. It
+/// computes with variables of all types, some the same in all lanes, reads tables, writes
+/// lane-private arrays and its own lane's outputs, and calls helper functions of the same kind,
+/// recursive ones and opaque ones. All of it is defined for every input: shifts are within range,
+/// conversions saturate, divisors are tested.
 std::unique_ptr<llvm::Module> generateModule(llvm::LLVMContext &context, uint64_t seed);
 
 } // namespace anysl::test

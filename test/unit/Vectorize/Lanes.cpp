@@ -28,7 +28,8 @@
 
 using namespace llvm;
 
-/// What kernels may call: a function that nobody has a wide form of. It must run for active lanes only.
+/// What kernels may call: a function that nobody has a wide form of. It must run for active lanes
+/// only.
 extern "C" int anyslTestCalls;
 int anyslTestCalls;
 extern "C" int anyslTestOpaque(int x, float y);
@@ -45,8 +46,8 @@ using Wide = void (*)(Args *, int, uint64_t);
 bool canRun(StringRef cpu) {
   StringMap<bool> features = sys::getHostCPUFeatures();
   if (cpu == "x86-64-v4")
-    return features.lookup("avx512f") && features.lookup("avx512vl") && features.lookup("avx512dq") &&
-           features.lookup("avx512bw");
+    return features.lookup("avx512f") && features.lookup("avx512vl") &&
+           features.lookup("avx512dq") && features.lookup("avx512bw");
   if (cpu == "x86-64-v3")
     return features.lookup("avx2") && features.lookup("fma") && features.lookup("bmi2");
   return features.lookup("sse4.2");
@@ -54,13 +55,15 @@ bool canRun(StringRef cpu) {
 
 //===-- Inputs --------------------------------------------------------------===//
 
-template <typename T> static T pick(std::mt19937_64 &random, std::initializer_list<T> values) {
+template <typename T>
+static T pick(std::mt19937_64 &random, std::initializer_list<T> values) {
   return values.begin()[random() % values.size()];
 }
 
 static float someFloat(std::mt19937_64 &random) {
   if (random() % 8 == 0)
-    return pick<float>(random, {0.f, -0.f, 1.f, -1.f, INFINITY, -INFINITY, NAN, 1e-42f, 3e38f, 0.5f});
+    return pick<float>(random,
+                       {0.f, -0.f, 1.f, -1.f, INFINITY, -INFINITY, NAN, 1e-42f, 3e38f, 0.5f});
   return std::uniform_real_distribution<float>(-4, 4)(random);
 }
 
@@ -75,8 +78,8 @@ static void fill(Args &args, std::mt19937_64 &random) {
   for (int k = 0; k < INPUTS; ++k)
     for (int lane = 0; lane < LANES; ++lane) {
       args.f[k][lane] = someFloat(random);
-      args.d[k][lane] = random() % 8 ? std::uniform_real_distribution<double>(-4, 4)(random)
-                                     : someFloat(random);
+      args.d[k][lane] =
+          random() % 8 ? std::uniform_real_distribution<double>(-4, 4)(random) : someFloat(random);
       args.i[k][lane] = someInt(random);
       args.l[k][lane] = random() % 8 ? someInt(random) : int64_t(random());
       args.s[k][lane] = short(random());
@@ -113,8 +116,8 @@ static void spoil(Args &args, int lane) {
 
 static std::string show(const char *what, int k, int lane, double expected, double got) {
   char text[200];
-  std::snprintf(text, sizeof text, "%s[%d] of lane %d is %.17g, should be %.17g", what, k, lane, got,
-                expected);
+  std::snprintf(text, sizeof text, "%s[%d] of lane %d is %.17g, should be %.17g", what, k, lane,
+                got, expected);
   return text;
 }
 
@@ -147,8 +150,7 @@ static std::string compare(const Args &expected, const Args &got) {
       if (expected.priv[lane][k] != got.priv[lane][k])
         difference = show("priv", k, lane, expected.priv[lane][k], got.priv[lane][k]);
   }
-  if (difference.empty() &&
-      std::memcmp(&expected, &got, offsetof(Args, fo)) != 0)
+  if (difference.empty() && std::memcmp(&expected, &got, offsetof(Args, fo)) != 0)
     difference = "an input was changed";
   return difference;
 }
@@ -156,7 +158,8 @@ static std::string compare(const Args &expected, const Args &got) {
 //===-- Compiling -----------------------------------------------------------===//
 
 /// The module with one kernel, made for a processor.
-static std::unique_ptr<Module> isolate(const Module &module, StringRef name, const Comparison &how) {
+static std::unique_ptr<Module> isolate(const Module &module, StringRef name,
+                                       const Comparison &how) {
   std::unique_ptr<Module> copy = CloneModule(module);
   for (Function &function : *copy) {
     function.removeFnAttr("target-features");
@@ -265,8 +268,7 @@ std::string compareLanes(const Module &module, StringRef name, const Comparison 
                                                   JITSymbolFlags::Exported};
   if (Error error = jit->getMainJITDylib().define(orc::absoluteSymbols(own)))
     return toString(std::move(error));
-  if (Error error =
-          jit->addIRModule(orc::ThreadSafeModule(std::move(moved), std::move(context))))
+  if (Error error = jit->addIRModule(orc::ThreadSafeModule(std::move(moved), std::move(context))))
     return toString(std::move(error));
   auto scalarSymbol = jit->lookup(name), fullSymbol = jit->lookup("runFull"),
        maskedSymbol = jit->lookup("runMasked");
@@ -282,8 +284,12 @@ std::string compareLanes(const Module &module, StringRef name, const Comparison 
   for (unsigned round = 0; round < how.rounds; ++round) {
     fill(*inputs, random);
     int first = (random() % (LANES / how.width)) * how.width;
-    SmallVector<uint64_t, 8> masks = {all, all, random() & all, random() & random() & all,
-                                      (random() | random()) & all, 1ull << (random() % how.width)};
+    SmallVector<uint64_t, 8> masks = {all,
+                                      all,
+                                      random() & all,
+                                      random() & random() & all,
+                                      (random() | random()) & all,
+                                      1ull << (random() % how.width)};
     if (round == 0)
       masks.push_back(0);
     for (unsigned trial = 0; trial < masks.size(); ++trial) {
@@ -302,13 +308,13 @@ std::string compareLanes(const Module &module, StringRef name, const Comparison 
       (useFull ? runFull : runMasked)(got.get(), first, mask);
       std::string difference = compare(*expected, *got);
       if (difference.empty() && calls != anyslTestCalls)
-        difference = "an opaque function ran " + std::to_string(anyslTestCalls) + " times, should run " +
-                     std::to_string(calls) + " times";
+        difference = "an opaque function ran " + std::to_string(anyslTestCalls) +
+                     " times, should run " + std::to_string(calls) + " times";
       if (!difference.empty()) {
         char head[200];
-        std::snprintf(head, sizeof head, "%s, %u lanes from %d, %s, mask %llx, round %u: ",
-                      name.str().c_str(), how.width, first, useFull ? "N" : "M",
-                      (unsigned long long)mask, round);
+        std::snprintf(head, sizeof head,
+                      "%s, %u lanes from %d, %s, mask %llx, round %u: ", name.str().c_str(),
+                      how.width, first, useFull ? "N" : "M", (unsigned long long)mask, round);
         return head + difference;
       }
     }

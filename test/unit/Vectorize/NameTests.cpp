@@ -45,9 +45,10 @@ TEST_CASE("a variant's function may have a name of its own", "[abi]") {
 }
 
 TEST_CASE("what is no variant of x86 is not taken for one", "[abi]") {
-  for (const char *text : {"", "f", "_ZGV", "_ZGVd", "_ZGVdN", "_ZGVdN8", "_ZGVdN8v", "_ZGVdN8v_", "_ZGVdX8v_f",
-                           "_ZGVdN7v_f", "_ZGVdN0v_f", "_ZGVdN1v_f", "_ZGVdN128v_f", "_ZGVnN4v_f",
-                           "_ZGVsMxv_f", "_ZGVdN8q_f", "_ZGVdN8lsv_f", "_ZGV_LLVM_Nxv_f", "_ZGVdN8v_f()"})
+  for (const char *text :
+       {"", "f", "_ZGV", "_ZGVd", "_ZGVdN", "_ZGVdN8", "_ZGVdN8v", "_ZGVdN8v_", "_ZGVdX8v_f",
+        "_ZGVdN7v_f", "_ZGVdN0v_f", "_ZGVdN1v_f", "_ZGVdN128v_f", "_ZGVnN4v_f", "_ZGVsMxv_f",
+        "_ZGVdN8q_f", "_ZGVdN8lsv_f", "_ZGV_LLVM_Nxv_f", "_ZGVdN8v_f()"})
     CHECK_FALSE(parseVariantName(text));
 }
 
@@ -58,8 +59,8 @@ static std::string signatureOf(const char *text, llvm::Type *result,
   std::string why;
   llvm::DataLayout layout("");
   auto signature = VariantSignature::get(
-      *name, llvm::FunctionType::get(result, llvm::ArrayRef(params.begin(), params.size()), false), layout,
-      why);
+      *name, llvm::FunctionType::get(result, llvm::ArrayRef(params.begin(), params.size()), false),
+      layout, why);
   if (!signature)
     return why;
   std::string printed;
