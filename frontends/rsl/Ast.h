@@ -417,7 +417,7 @@ public:
     std::uninitialized_copy(values.begin(), values.end(), data);
     return {data, values.size()};
   }
-  StringRef save(llvm::Twine text) { return llvm::StringSaver(arena).save(text); }
+  StringRef save(const llvm::Twine &text) { return saver.save(text); }
 
   std::vector<FunctionDecl *> functions; ///< in order of their appearance
   std::vector<ShaderDecl *> shaders;
@@ -430,6 +430,10 @@ public:
 
 private:
   llvm::BumpPtrAllocator arena;
+  // LLVM's library fills this one; were it shared, AddressSanitizer, which knows only this
+  // project's half of the allocations, would take the other half for mistakes.
+  llvm::BumpPtrAllocator textArena;
+  llvm::StringSaver saver{textArena};
 };
 
 } // namespace anysl::rsl
