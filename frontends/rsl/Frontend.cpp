@@ -37,7 +37,7 @@ FrontendResult compile(StringRef path, const FrontendOptions &options, Diagnosti
   if (diags.hasErrors() || options.syntaxOnly)
     return result;
 
-  result.module = lower(ast, diags, context, path, options.isLibrary);
+  result.module = lower(ast, diags, context, path, options);
   if (!result.module)
     return result;
   std::vector<stc::Problem> problems = stc::verify(*result.module);

@@ -23,6 +23,7 @@ struct FrontendOptions {
   /// What the file is taken to contain, instead of reading it.
   std::optional<llvm::StringRef> text;
   bool isLibrary = false;  ///< functions define operators
+  bool debugInfo = false;  ///< native code shall have line tables
   bool syntaxOnly = false; ///< stop after checking; a file need not contain a shader
 };
 

@@ -6,7 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Lower.h"
-
+#include "frontends/rsl/Frontend.h"
 #include "frontends/rsl/Lowering.h"
 #include "llvm/IR/CFG.h"
 #include "llvm/Transforms/Utils/BasicBlockUtils.h"
@@ -18,9 +18,9 @@ namespace anysl::rsl {
 using stc::Op;
 
 std::unique_ptr<Module> lower(const Ast &ast, DiagnosticEngine &diags, LLVMContext &context,
-                              StringRef sourceFile, bool isLibrary) {
-  Lowering lowering(diags, context, sourceFile);
-  if (isLibrary) {
+                              StringRef sourceFile, const FrontendOptions &options) {
+  Lowering lowering(diags, context, sourceFile, options.debugInfo);
+  if (options.isLibrary) {
     for (const FunctionDecl *function : ast.functions)
       if (function->defines)
         lowering.lowerLibraryFunction(*function);
@@ -32,8 +32,9 @@ std::unique_ptr<Module> lower(const Ast &ast, DiagnosticEngine &diags, LLVMConte
   return diags.hasErrors() ? nullptr : std::move(module);
 }
 
-Lowering::Lowering(DiagnosticEngine &diags, LLVMContext &context, StringRef sourceFile)
-    : diags(diags), b(context, sourceFile, "rslc " ANYSL_VERSION) {}
+Lowering::Lowering(DiagnosticEngine &diags, LLVMContext &context, StringRef sourceFile,
+                   bool debugInfo)
+    : diags(diags), b(context, sourceFile, "rslc " ANYSL_VERSION, debugInfo) {}
 
 /// What is written from here on stands at this place of the source.
 void Lowering::at(SMLoc loc) {

@@ -19,13 +19,15 @@ class Module;
 
 namespace anysl::rsl {
 
+struct FrontendOptions;
+
 /// Writes the shaders of a tree that Sema has found correct as STC, in the form that
-/// docs/architecture.md describes. With \p isLibrary the functions that implement built-ins become
+/// docs/architecture.md describes. For a library the functions that implement built-ins become
 /// definitions of operators. Null after an error (of the kind that only shows here, such as a
 /// library function that needs a context its operator has not).
 std::unique_ptr<llvm::Module> lower(const Ast &ast, DiagnosticEngine &diags,
                                     llvm::LLVMContext &context, llvm::StringRef sourceFile,
-                                    bool isLibrary);
+                                    const FrontendOptions &options);
 
 } // namespace anysl::rsl
 

@@ -29,7 +29,8 @@ namespace anysl::rsl {
 
 class Lowering {
 public:
-  Lowering(DiagnosticEngine &diags, llvm::LLVMContext &context, llvm::StringRef sourceFile);
+  Lowering(DiagnosticEngine &diags, llvm::LLVMContext &context, llvm::StringRef sourceFile,
+           bool debugInfo);
 
   void lowerShader(const ShaderDecl &shader);
   void lowerLibraryFunction(const FunctionDecl &function);

@@ -44,7 +44,7 @@ cl::opt<bool> syntaxOnly("fsyntax-only", cl::desc("Only check; write nothing"), 
 cl::opt<unsigned> errorLimit("ferror-limit",
                              cl::desc("Stop after N errors; 0: never (default: 20)"),
                              cl::value_desc("N"), cl::init(20), cl::cat(category));
-cl::opt<bool> debugInfo("g", cl::desc("Accepted for build systems: positions are always kept"),
+cl::opt<bool> debugInfo("g", cl::desc("Give native code line tables, for debuggers and profilers"),
                         cl::cat(category));
 cl::opt<bool> isLibrary("library", cl::desc("The functions of the file define operators"),
                         cl::cat(category));
@@ -140,6 +140,7 @@ int main(int argc, char **argv) {
   options.preprocessor.includeDirs = includeDirs;
   options.preprocessor.defines = defines;
   options.isLibrary = isLibrary;
+  options.debugInfo = debugInfo;
   options.syntaxOnly = syntaxOnly;
   LLVMContext context;
   rsl::FrontendResult result = rsl::compile(input, options, diags, context);
