@@ -38,6 +38,8 @@ inline anysl_vector normalize(const anysl_vector &v) {
   return result;
 }
 
+inline const anysl_color opaque = {1, 1, 1};
+
 /// I - 2 (I.N) N
 inline anysl_vector reflect(const anysl_vector &I, const anysl_vector &N) {
   return I - N * (2 * dot(I, N));

@@ -10,9 +10,14 @@
 using namespace by_hand;
 
 void anysl_shader_body(anysl_context *context) {
-  anysl_vector R = reflect(vectorOf<ANYSL_I>(context), vectorOf<ANYSL_N>(context));
-  anysl_color Ci = {R.x, R.y, R.z};
+  anysl_vector I = vectorOf<ANYSL_I>(context);
+  anysl_normal N = normalize(vectorOf<ANYSL_N>(context));
+  anysl_normal Nf = dot(I, N) > 0 ? -N : N;
+  anysl_vector R = reflect(normalize(I), Nf);
+  anysl_float half(0.5);
+  anysl_color Ci = {half + half * R.x, half + half * R.y, half + half * R.z};
   anysl_store_global_color(context, ANYSL_Ci, &Ci);
+  anysl_store_global_color(context, ANYSL_Oi, &opaque);
 }
 
 static const double *const none = nullptr;
