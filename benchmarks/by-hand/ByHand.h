@@ -38,7 +38,7 @@ inline anysl_vector normalize(const anysl_vector &v) {
   return result;
 }
 
-inline const anysl_color opaque = {1, 1, 1};
+inline anysl_color opaque() { return {1, 1, 1}; }
 
 /// I - 2 (I.N) N
 inline anysl_vector reflect(const anysl_vector &I, const anysl_vector &N) {

@@ -15,7 +15,8 @@ void anysl_shader_body(anysl_context *context) {
   anysl_color Ci;
   anysl_trace_color(&Ci, context, &P, &direction);
   anysl_store_global_color(context, ANYSL_Ci, &Ci);
-  anysl_store_global_color(context, ANYSL_Oi, &opaque);
+  anysl_color Oi = opaque();
+  anysl_store_global_color(context, ANYSL_Oi, &Oi);
 }
 
 static const double *const none = nullptr;

@@ -17,7 +17,8 @@ void anysl_shader_body(anysl_context *context) {
   anysl_float half(0.5);
   anysl_color Ci = {half + half * R.x, half + half * R.y, half + half * R.z};
   anysl_store_global_color(context, ANYSL_Ci, &Ci);
-  anysl_store_global_color(context, ANYSL_Oi, &opaque);
+  anysl_color Oi = opaque();
+  anysl_store_global_color(context, ANYSL_Oi, &Oi);
 }
 
 static const double *const none = nullptr;
