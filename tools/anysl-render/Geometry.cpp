@@ -225,6 +225,15 @@ void Geometry::intersect(const int *valid, typename RayPacketType<W>::RayHit &ra
     rtcIntersect16(valid, scene, &context, &rays);
 }
 
+Hit Geometry::intersect(const Ray &ray, unsigned mask) const {
+  RTCRayHit query;
+  const Vec3f &o = ray.origin, &d = ray.direction;
+  query.ray = {o.x, o.y, o.z, ray.near, d.x, d.y, d.z, 0, ray.far, mask, 0, 0};
+  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  intersect<1>(nullptr, query);
+  return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID};
+}
+
 template <unsigned W>
 void Geometry::occluded(const int *valid, typename RayPacketType<W>::Ray &rays) const {
   RTCIntersectContext context;

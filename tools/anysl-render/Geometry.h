@@ -8,6 +8,7 @@
 #ifndef ANYSL_RENDER_GEOMETRY_H
 #define ANYSL_RENDER_GEOMETRY_H
 
+#include "tools/anysl-render/Camera.h"
 #include "tools/anysl-render/Mesh.h"
 
 #include <embree3/rtcore.h>
@@ -78,6 +79,8 @@ public:
   /// Finds the nearest hit of each valid ray (-1: valid, 0: not), at a width of W.
   template <unsigned W>
   void intersect(const int *valid, typename RayPacketType<W>::RayHit &rays) const;
+  /// The nearest hit of one ray among the surfaces of a mask.
+  Hit intersect(const Ray &ray, unsigned mask) const;
   /// Sets tfar of each valid ray to -infinity where anything is in its way.
   template <unsigned W>
   void occluded(const int *valid, typename RayPacketType<W>::Ray &rays) const;

@@ -43,7 +43,6 @@ public:
 
 private:
   Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth) const;
-  Hit intersect(const Ray &ray, unsigned mask) const;
   Vec3f transmission(ThreadState &state, const Ray &ray) const;
   template <typename Real>
   void shade(PointBatch &batch, const SurfacePoint &point, Vec3f rayOrigin, Vec3f &Ci,
@@ -75,32 +74,12 @@ struct Triple {
   float value[3];
 };
 
-Hit ScalarHost::intersect(const Ray &ray, unsigned mask) const {
-  RTCRayHit query;
-  query.ray = {ray.origin.x,
-               ray.origin.y,
-               ray.origin.z,
-               ray.near,
-               ray.direction.x,
-               ray.direction.y,
-               ray.direction.z,
-               0,
-               ray.far,
-               mask,
-               0,
-               0};
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  theScene.geometry().intersect<1>(nullptr, query);
-  return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID};
-}
-
 Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth) const {
   const Geometry &geometry = theScene.geometry();
   Radiance radiance;
   Vec3f passing(1);
   for (unsigned layer = 0; layer < maxLayers; ++layer) {
-    Hit hit = intersect(ray, mask);
+    Hit hit = geometry.intersect(ray, mask);
     if (!hit.isHit()) {
       radiance.color += passing * theScene.background.color(ray.direction);
       break;
@@ -181,7 +160,7 @@ Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {
   Vec3f passing(1);
   Ray rest = ray;
   for (unsigned layer = 0; geometry.hasPartialShadows() && layer < maxLayers; ++layer) {
-    Hit hit = intersect(rest, PartialShadowRays);
+    Hit hit = geometry.intersect(rest, PartialShadowRays);
     if (!hit.isHit())
       break;
     passing *= Vec3f(Vec3d(1) - geometry.opacityAt(hit));
@@ -217,7 +196,7 @@ double ScalarHost::serveDistance(void *, const AnyslShadeArgs *args, uint32_t, c
   if (!asked.valid[0])
     return 1e30;
   ++batch.state->counts.traceRays;
-  return batch.host->intersect(asked.ray(0, 0), TraceRays).t;
+  return batch.host->theScene.geometry().intersect(asked.ray(0, 0), TraceRays).t;
 }
 
 void ScalarHost::serveTransmission(void *, const AnyslShadeArgs *args, uint32_t, const double *from,

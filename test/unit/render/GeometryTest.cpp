@@ -26,22 +26,7 @@ struct TestScene {
     geometry = std::make_unique<Geometry>(description, groups);
   }
   Hit shoot(const Ray &ray, unsigned mask = CameraRays) const {
-    RTCRayHit query;
-    query.ray = {ray.origin.x,
-                 ray.origin.y,
-                 ray.origin.z,
-                 ray.near,
-                 ray.direction.x,
-                 ray.direction.y,
-                 ray.direction.z,
-                 0,
-                 ray.far,
-                 mask,
-                 0,
-                 0};
-    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    geometry->intersect<1>(nullptr, query);
-    return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID};
+    return geometry->intersect(ray, mask);
   }
   SceneDescription description;
   std::vector<uint32_t> groups;
