@@ -26,6 +26,8 @@ config.substitutions += [
 
 if config.anysl_sanitize:
     config.available_features.add("sanitizer")
+    # The distribution's opt cannot load a plugin that wants a sanitizer's runtime; ours has its passes.
+    config.substitutions.insert(0, ("opt -load-pass-plugin=%plugin", os.path.join(tools, "anysl-opt")))
 with open("/proc/cpuinfo") as cpuinfo:
     flags = set(next((line for line in cpuinfo if line.startswith("flags")), "").split())
 for feature, needed in {"avx2": {"avx2", "fma"}, "avx512": {"avx512f", "avx512dq", "avx512vl", "avx512bw"}}.items():

@@ -1,5 +1,7 @@
 // Shaders can be part of the program: an object file of the linker's, adopted under a name for messages.
 //
+// UNSUPPORTED: sanitizer
+// (it links a program without the sanitizer's runtime)
 // RUN: echo 'surface half(float a = 0.5;) { Ci = a * Cs; } surface twice() { Ci = 2 * Cs; }' > %t.sl
 // RUN: rslc %t.sl -o %t.stc.bc
 // RUN: anysl-link %t.stc.bc --emit obj -o %t.o

@@ -1,6 +1,8 @@
 // A renderer is asked for the matrix of a coordinate system once for all points, at every width, also by a shader
 // that looks at lights in between; a matrix whose name differs from point to point is asked for as needed.
 //
+// UNSUPPORTED: sanitizer
+// (it links a program without the sanitizer's runtime)
 // RUN: printf 'surface once() { point Q = transform("room", P); Ci = diffuse(N) + float noise(Q * 3); }' > %t.sl
 // RUN: printf 'surface names() { string n = "hall"; if (s > 0.5) n = "room"; Ci = xcomp(transform(n, P)); }' >> %t.sl
 // RUN: rslc %t.sl -o %t.stc.bc

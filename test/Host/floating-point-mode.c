@@ -1,5 +1,7 @@
 // A shader library that was linked with start-up code of -ffast-math does not change how its host computes.
 //
+// UNSUPPORTED: sanitizer
+// (it links a program without the sanitizer's runtime)
 // RUN: clang -shared -fPIC %anysl_include %S/Inputs/library.c %S/Inputs/flush-denormals.c -o %t.so
 // RUN: clang -std=c99 -O1 %anysl_include %s -L%lib_dir -Wl,-rpath,%lib_dir -lanysl -ldl -o %t
 // RUN: %t %t.so
