@@ -166,7 +166,7 @@ Vec3f anysl::render::defaultSurface(const SurfacePoint &point, Vec3f direction) 
 
 int anysl::render::serveSpaceMatrix(void *renderer, const Space *object, const char *from,
                                     const char *to, double matrix[16]) {
-  const auto &shader = *static_cast<const SurfaceShader *>(renderer);
+  const auto &shader = *static_cast<const Shader *>(renderer);
   Matrix4 result;
   if (!shader.scene->spaces.matrix(&shader.space, object, from, to, result))
     return 0;

@@ -223,7 +223,7 @@ void storeUniformGlobals(uint64_t wanted, const Scene &scene, const Store &store
 /// The surface that shows where a scene names none: lit from the eye.
 Vec3f defaultSurface(const SurfacePoint &point, Vec3f direction);
 
-/// The service space_matrix; `renderer` is the SurfaceShader, `object` may be null.
+/// The service space_matrix; `renderer` is the Shader, `object` may be null.
 int serveSpaceMatrix(void *renderer, const Space *object, const char *from, const char *to,
                      double matrix[16]);
 

@@ -115,7 +115,7 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
 template <typename Real>
 void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, Vec3f rayOrigin, Vec3f &Ci,
                        Vec3f &Oi) const {
-  const SurfaceShader &shader = *batch.group->shader;
+  const Shader &shader = *batch.group->shader;
   Arena::Scope scope(batch.state->arena);
   // The interface promises room for 16 points; only the first is ever written.
   Real *globals = batch.state->arena.allocate<Real>(16 * ANYSL_COMPONENT_COUNT);

@@ -52,8 +52,15 @@ using ParameterList = std::vector<Parameter>;
 
 const Parameter *findParameter(const ParameterList &list, std::string_view name);
 
+/// Options or attributes by their full names, as in "searchpath:shader".
+using ParameterMap = std::map<std::string, Parameter, std::less<>>;
+
+/// The kinds of shader, with the numbers that shader libraries have for them.
+enum class ShaderKind { Surface = 1, Displacement, Light, Volume, Imager };
+
 /// A shader as a request such as Surface names it.
 struct ShaderUse {
+  ShaderKind kind = ShaderKind::Surface;
   std::string name;
   ParameterList parameters;
   Matrix4 shaderToCamera = Matrix4::identity();
@@ -70,7 +77,8 @@ struct Visibility {
 
 /// Everything about a surface that is not its shape.
 struct Appearance {
-  int surface = -1; ///< index into SceneDescription::surfaces, or -1: the built-in default surface
+  /// Indices into SceneDescription::shaders, or -1: none, and for the surface the built-in one.
+  int surface = -1, displacement = -1, atmosphere = -1, interior = -1, exterior = -1;
   Vec3d color{1, 1, 1};
   Vec3d opacity{1, 1, 1};
   bool reverseOrientation = false;
@@ -78,6 +86,8 @@ struct Appearance {
   Visibility visibility;
   std::vector<uint32_t> lights; ///< those that shine on it: indices into SceneDescription::lights
   std::array<double, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1}; ///< s t at the (u, v) corners
+  /// What Attribute has stated, known here or not; null: nothing.
+  std::shared_ptr<const ParameterMap> attributes;
   friend bool operator==(const Appearance &, const Appearance &) = default;
 };
 
@@ -152,10 +162,12 @@ struct SceneDescription {
   BackgroundDescription background;
   std::string shaderPath; ///< colon-separated; & stands for the default
   std::vector<OutputFile> outputs;
+  ParameterMap options; ///< what Option has stated, known here or not
+  int imager = -1;      ///< index into shaders, or -1
 
   Matrix4 worldToCamera = Matrix4::identity();
   std::map<std::string, Matrix4, std::less<>> spaces; ///< CoordinateSystem: to camera space
-  std::vector<ShaderUse> surfaces;
+  std::vector<ShaderUse> shaders;
   std::vector<LightUse> lights;
   std::vector<Appearance> appearances;
   std::vector<Shape> shapes;

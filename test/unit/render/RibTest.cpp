@@ -43,7 +43,7 @@ TEST_CASE("numbers, strings, comments and arrays are read as RIB writes them", "
   CHECK(scene.camera.width == 32);
   CHECK(scene.camera.height == 16);
   CHECK(scene.camera.pixelAspect == 5);
-  const ShaderUse &surface = scene.surfaces.at(0);
+  const ShaderUse &surface = scene.shaders.at(0);
   CHECK(surface.name == "a\"b\nA");
   CHECK(surface.parameters.at(0).numbers == std::vector<double>{-1, 0.25, 100});
   CHECK(surface.parameters.at(1).strings == std::vector<std::string>{"p", "q"});
@@ -53,7 +53,7 @@ TEST_CASE("declarations are read inline and from Declare", "[rib]") {
   auto scene = read("Declare \"warmth\" \"varying color[2]\" WorldBegin Surface \"s\" "
                     "\"uniform point at\" [1 2 3] \"warmth\" [1 2 3 4 5 6] \"plain\" 7 WorldEnd")
                    .at(0);
-  const ParameterList &list = scene.surfaces.at(0).parameters;
+  const ParameterList &list = scene.shaders.at(0).parameters;
   CHECK(list.at(0).name == "at");
   CHECK(list.at(0).declaration->type == ValueType::Point);
   CHECK(list.at(1).declaration->storage == StorageClass::Varying);
@@ -93,6 +93,28 @@ TEST_CASE("attributes are saved and restored", "[rib]") {
   CHECK(outer.color == Vec3d(1, 0, 0));
   CHECK(outer.lights == std::vector<uint32_t>{0, 1});
   CHECK_FALSE(outer.reverseOrientation);
+}
+
+TEST_CASE("shaders of every kind, options and attributes are kept as they are stated", "[rib]") {
+  auto scene = read("Imager \"background\" \"bgcolor\" [1 0 0] Option \"user\" \"float size\" 3 "
+                    "WorldBegin Atmosphere \"fog\" AttributeBegin Attribute \"user\" \"string tag\" "
+                    "[\"a\"] Displacement \"dents\" Surface \"null\" Interior \"smoke\" "
+                    "Exterior \"air\" Sphere 1 -1 1 360 AttributeEnd Sphere 1 -1 1 360 WorldEnd")
+                   .at(0);
+  auto name = [&](int index) { return index < 0 ? "none" : scene.shaders.at(size_t(index)).name; };
+  const Appearance &inner = scene.appearances.at(scene.shapes.at(0).appearance);
+  const Appearance &outer = scene.appearances.at(scene.shapes.at(1).appearance);
+  CHECK(name(scene.imager) == "background");
+  CHECK(name(inner.atmosphere) == "fog");
+  CHECK(name(outer.atmosphere) == "fog");
+  CHECK(name(inner.displacement) == "dents");
+  CHECK(name(outer.displacement) == "none");
+  CHECK(name(inner.surface) == "none");
+  CHECK(name(inner.interior) == "smoke");
+  CHECK(name(inner.exterior) == "air");
+  CHECK(scene.options.at("user:size").numbers == std::vector<double>{3});
+  CHECK(inner.attributes->at("user:tag").strings == std::vector<std::string>{"a"});
+  CHECK_FALSE(outer.attributes);
 }
 
 TEST_CASE("each world of a file is a scene, and frames restore options", "[rib]") {

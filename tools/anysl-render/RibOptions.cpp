@@ -1,0 +1,164 @@
+//===-- tools/anysl-render/RibOptions.cpp - requests about camera, samples and files -----------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/RibState.h"
+
+#include <algorithm>
+
+using namespace anysl::render;
+
+void RibState::display(RibArguments &arguments) {
+  OutputFile output;
+  output.where = arguments.where();
+  output.name = arguments.string("a file name");
+  output.format = arguments.string("a type");
+  output.alpha = arguments.string("a mode").find('a') != std::string::npos;
+  ParameterList parameters = arguments.parameters();
+  if (const Parameter *type = findParameter(parameters, "exrpixeltype"))
+    output.half = !type->strings.empty() && type->strings[0] == "half";
+  // As in the standard, "+name" adds an output and any other name starts the list anew.
+  if (!output.name.empty() && output.name[0] == '+')
+    output.name.erase(0, 1);
+  else
+    scene.outputs.clear();
+  if (output.name.empty())
+    throw UserError(arguments.where(), "Display: the file name is empty");
+  scene.outputs.push_back(std::move(output));
+}
+
+void RibState::format(RibArguments &arguments) {
+  auto n = arguments.numbers(3, "width, height and pixel aspect");
+  if (!(n[0] >= 1 && n[1] >= 1 && n[0] <= 65536 && n[1] <= 65536))
+    throw UserError(arguments.where(),
+                    "Format: the size must lie between 1 and 65536 pixels a side");
+  scene.camera.width = int(n[0]);
+  scene.camera.height = int(n[1]);
+  scene.camera.pixelAspect = n[2] > 0 ? n[2] : 1;
+}
+
+void RibState::projection(RibArguments &arguments) {
+  std::string name = arguments.string("a name");
+  ParameterList parameters = arguments.parameters();
+  if (name == "perspective")
+    scene.camera.perspective = true;
+  else if (name == "orthographic")
+    scene.camera.perspective = false;
+  else
+    throw UserError(arguments.where(),
+                    "Projection: \"" + name + "\" is neither \"perspective\" nor \"orthographic\"");
+  for (const Parameter &parameter : parameters) {
+    if (parameter.name != "fov" || parameter.numbers.size() != 1) {
+      warnUnknown("projection parameter", parameter.name, parameter.where);
+      continue;
+    }
+    scene.camera.fov = parameter.numbers[0];
+    if (!(scene.camera.fov > 0 && scene.camera.fov < 180))
+      throw UserError(parameter.where, "Projection: the field of view must lie between 0 and 180");
+  }
+}
+
+void RibState::pixelSamples(RibArguments &arguments) {
+  auto n = arguments.numbers(2, "samples in x and y");
+  if (!(n[0] >= 1 && n[1] >= 1 && n[0] <= 1024 && n[1] <= 1024))
+    throw UserError(arguments.where(), "PixelSamples: must lie between 1 and 1024");
+  scene.samplesX = int(n[0]);
+  scene.samplesY = int(n[1]);
+}
+
+void RibState::pixelFilter(RibArguments &arguments) {
+  std::string name = arguments.string("a name");
+  auto n = arguments.numbers(2, "widths in x and y");
+  if (!(n[0] > 0 && n[1] > 0 && n[0] <= 64 && n[1] <= 64))
+    throw UserError(arguments.where(), "PixelFilter: widths must lie between 0 and 64");
+  scene.filterWidthX = n[0];
+  scene.filterWidthY = n[1];
+  if (name == "box")
+    scene.filter = FilterKind::Box;
+  else if (name == "triangle")
+    scene.filter = FilterKind::Triangle;
+  else {
+    scene.filter = FilterKind::Gaussian;
+    if (name != "gaussian")
+      warnings.warn(arguments.where(),
+                    "PixelFilter \"" + name + "\" is not known; \"gaussian\" is used");
+  }
+}
+
+void RibState::exposure(RibArguments &arguments) {
+  auto n = arguments.numbers(2, "gain and gamma");
+  if (!(n[1] > 0))
+    throw UserError(arguments.where(), "Exposure: gamma must be positive");
+  scene.gain = n[0];
+  scene.gamma = n[1];
+}
+
+void RibState::screenWindow(RibArguments &arguments) {
+  auto n = arguments.numbers(4, "left, right, bottom and top");
+  if (n[0] == n[1] || n[2] == n[3])
+    throw UserError(arguments.where(), "ScreenWindow: the window is empty");
+  scene.camera.screenWindow = {n[0], n[1], n[2], n[3]};
+}
+
+void RibState::cropWindow(RibArguments &arguments) {
+  auto n = arguments.numbers(4, "xmin, xmax, ymin and ymax");
+  for (double &value : n)
+    value = std::clamp(value, 0.0, 1.0);
+  if (!(n[0] < n[1] && n[2] < n[3]))
+    throw UserError(arguments.where(), "CropWindow: the window is empty");
+  scene.camera.cropWindow = {n[0], n[1], n[2], n[3]};
+}
+
+void RibState::frameAspectRatio(RibArguments &arguments) {
+  scene.camera.frameAspect = arguments.number("the aspect ratio");
+  if (!(scene.camera.frameAspect > 0))
+    throw UserError(arguments.where(), "FrameAspectRatio: must be positive");
+}
+
+void RibState::clipping(RibArguments &arguments) {
+  auto n = arguments.numbers(2, "near and far");
+  if (!(n[0] >= 0 && n[1] > n[0]))
+    throw UserError(arguments.where(), "Clipping: needs 0 <= near < far");
+  scene.camera.nearClip = n[0];
+  scene.camera.farClip = n[1];
+}
+
+void RibState::shutter(RibArguments &arguments) {
+  scene.camera.shutterOpen = arguments.numbers(2, "opening and closing time")[0];
+}
+
+void RibState::option(RibArguments &arguments) {
+  std::string group = arguments.string("a name");
+  for (const Parameter &parameter : arguments.parameters()) {
+    std::string name = group + ":" + parameter.name;
+    scene.options.insert_or_assign(name, parameter);
+    auto triple = [&] {
+      if (parameter.numbers.size() != 3)
+        throw UserError(parameter.where, "Option: \"" + parameter.name + "\" needs 3 numbers");
+      return Vec3d(parameter.numbers[0], parameter.numbers[1], parameter.numbers[2]);
+    };
+    BackgroundDescription &background = scene.background;
+    if (name == "trace:maxdepth" && parameter.numbers.size() == 1) {
+      scene.maxDepth = unsigned(std::clamp(parameter.numbers[0], 0.0, 64.0));
+    } else if (name == "searchpath:shader" && parameter.strings.size() == 1) {
+      scene.shaderPath = parameter.strings[0];
+    } else if (name == "anysl:background") {
+      background.zenith = background.horizon = background.ground = triple();
+      background.visible = true;
+    } else if (name == "anysl:zenith") {
+      background.zenith = triple();
+      background.visible = true;
+    } else if (name == "anysl:horizon") {
+      background.horizon = triple();
+      background.visible = true;
+    } else if (name == "anysl:ground") {
+      background.ground = triple();
+      background.visible = true;
+    } else if (group != "user") {
+      warnUnknown("option", name, parameter.where);
+    }
+  }
+}

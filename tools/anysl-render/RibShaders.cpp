@@ -1,0 +1,75 @@
+//===-- tools/anysl-render/RibShaders.cpp - requests that name shaders -------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/RibState.h"
+
+#include <algorithm>
+
+using namespace anysl::render;
+
+int RibState::addShader(ShaderKind kind, RibArguments &arguments) {
+  ShaderUse use;
+  use.kind = kind;
+  use.where = arguments.where();
+  use.name = arguments.string("a shader's name");
+  use.parameters = arguments.parameters();
+  use.shaderToCamera = state.transform;
+  if (use.name.empty() || use.name == "null" || use.name == "defaultsurface")
+    return -1;
+  scene.shaders.push_back(std::move(use));
+  return int(scene.shaders.size()) - 1;
+}
+
+void RibState::surface(RibArguments &arguments) {
+  state.appearance.surface = addShader(ShaderKind::Surface, arguments);
+}
+void RibState::displacement(RibArguments &arguments) {
+  state.appearance.displacement = addShader(ShaderKind::Displacement, arguments);
+}
+void RibState::atmosphere(RibArguments &arguments) {
+  state.appearance.atmosphere = addShader(ShaderKind::Volume, arguments);
+}
+void RibState::interior(RibArguments &arguments) {
+  state.appearance.interior = addShader(ShaderKind::Volume, arguments);
+}
+void RibState::exterior(RibArguments &arguments) {
+  state.appearance.exterior = addShader(ShaderKind::Volume, arguments);
+}
+void RibState::imager(RibArguments &arguments) {
+  scene.imager = addShader(ShaderKind::Imager, arguments);
+}
+
+void RibState::lightSource(RibArguments &arguments) {
+  if (!inWorld())
+    throw UserError(arguments.where(), "LightSource: lights belong inside WorldBegin ... WorldEnd");
+  LightUse light;
+  light.where = arguments.where();
+  light.name = arguments.string("a light's name");
+  std::string handle = arguments.handle("a handle");
+  light.parameters = arguments.parameters();
+  light.lightToCamera = state.transform;
+  light.castsShadow = state.lightShadows;
+  uint32_t index = uint32_t(scene.lights.size());
+  lightHandles[handle] = index;
+  state.appearance.lights.push_back(index);
+  scene.lights.push_back(std::move(light));
+}
+
+void RibState::illuminate(RibArguments &arguments) {
+  std::string handle = arguments.handle("a light's handle");
+  bool on = arguments.number("1 or 0") != 0;
+  auto light = lightHandles.find(handle);
+  if (light == lightHandles.end() || light->second >= scene.lights.size())
+    throw UserError(arguments.where(), "Illuminate: there is no light " + handle);
+  std::vector<uint32_t> &lights = state.appearance.lights;
+  auto place = std::lower_bound(lights.begin(), lights.end(), light->second);
+  bool there = place != lights.end() && *place == light->second;
+  if (on && !there)
+    lights.insert(place, light->second);
+  else if (!on && there)
+    lights.erase(place);
+}

@@ -1,0 +1,54 @@
+//===-- tools/anysl-render/RibState.cpp - the graphics state of a RIB file ---------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/RibState.h"
+
+#include <algorithm>
+
+using namespace anysl::render;
+
+const std::unordered_map<std::string_view, RibState::Handler> &RibState::table() {
+  static const std::unordered_map<std::string_view, Handler> entries = {
+#define RIB_REQUEST(name, handler) {#name, &RibState::handler},
+#define RIB_ALIAS(name, handler) {#name, &RibState::handler},
+#include "tools/anysl-render/RibRequests.def"
+  };
+  return entries;
+}
+
+void RibState::execute(const RibRequest &request) {
+  auto entry = table().find(request.name);
+  if (entry == table().end()) {
+    warnings.warnOnce("request " + request.name, request.where,
+                      "request " + request.name + " is not known and is passed over");
+    return;
+  }
+  RibArguments arguments(request, declarations);
+  (this->*entry->second)(arguments);
+  if (!arguments.empty() && entry->second != &RibState::ignored)
+    throw UserError(request.arguments.back().where,
+                    request.name + ": more arguments than expected");
+}
+
+std::vector<SceneDescription> RibState::finish(const Location &end) {
+  if (!blocks.empty()) {
+    static const char *const names[] = {"FrameBegin", "WorldBegin", "AttributeBegin",
+                                        "TransformBegin"};
+    throw UserError(blocks.back().where,
+                    std::string(names[size_t(blocks.back().kind)]) + " without its end");
+  }
+  if (finished.empty())
+    throw UserError(end, "the file has no WorldBegin ... WorldEnd, so there is nothing to render");
+  return std::move(finished);
+}
+
+void RibState::ignored(RibArguments &) {}
+
+void RibState::warnUnknown(const char *what, const std::string &name, const Location &where) {
+  warnings.warnOnce(std::string(what) + " " + name, where,
+                    std::string(what) + " \"" + name + "\" is not known and has no effect");
+}

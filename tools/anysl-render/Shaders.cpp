@@ -1,0 +1,155 @@
+//===-- tools/anysl-render/Shaders.cpp - shaders with their values ----------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/Shaders.h"
+
+#include <tbb/parallel_for.h>
+
+#include <exception>
+
+using namespace anysl::render;
+
+namespace {
+
+static_assert(int(ShaderKind::Surface) == ANYSL_SURFACE && int(ShaderKind::Light) == ANYSL_LIGHT &&
+              int(ShaderKind::Displacement) == ANYSL_DISPLACEMENT &&
+              int(ShaderKind::Volume) == ANYSL_VOLUME && int(ShaderKind::Imager) == ANYSL_IMAGER);
+
+bool isTriple(ValueType type) {
+  return type == ValueType::Point || type == ValueType::Vector || type == ValueType::Normal;
+}
+
+/// Whether a value declared in the scene may go into a shader's parameter.
+bool fits(ValueType declared, uint32_t wanted) {
+  switch (wanted) {
+  case ANYSL_FLOAT:
+    return declared == ValueType::Float;
+  case ANYSL_COLOR:
+    return declared == ValueType::Color;
+  case ANYSL_MATRIX:
+    return declared == ValueType::Matrix;
+  case ANYSL_STRING:
+    return declared == ValueType::String;
+  default:
+    return isTriple(declared);
+  }
+}
+
+} // namespace
+
+void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
+  struct Job {
+    std::string name;
+    const Location *where;
+    std::filesystem::path library;
+    std::exception_ptr error;
+  };
+  std::map<std::string, const Location *> names;
+  for (const ShaderUse *use : uses)
+    if (!libraries.contains(use->name))
+      names.emplace(use->name, &use->where);
+  std::vector<Job> jobs;
+  for (auto [name, where] : names)
+    jobs.push_back({name, where, {}, nullptr});
+  tbb::parallel_for(size_t(0), jobs.size(), [&](size_t i) {
+    try {
+      jobs[i].library = cache.library(jobs[i].name, *jobs[i].where);
+    } catch (...) {
+      jobs[i].error = std::current_exception();
+    }
+  });
+  for (Job &job : jobs) {
+    if (job.error)
+      std::rethrow_exception(job.error);
+    AnyslLibrary *library = nullptr;
+    if (anysl_library_open(std::filesystem::absolute(job.library).c_str(), 0, &library))
+      throw UserError(*job.where, anysl_last_error());
+    libraries[job.name].reset(library);
+    const AnyslLibraryInfo &info = *anysl_library_info(library);
+    if (info.layout != uint32_t(layout))
+      throw UserError(*job.where, job.library.string() + " is made for runtime \"" + info.runtime +
+                                      "\", whose arrays are laid out differently");
+    if (libraries.size() > 1 && info.real != uint32_t(format))
+      throw UserError(*job.where, "the scene's shaders compute in both float and double");
+    format = AnyslReal(info.real);
+  }
+}
+
+std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use) {
+  AnyslLibrary *library = libraries.at(use.name).get();
+  // The shader of the file's name, or the only one there is.
+  std::string base = std::filesystem::path(use.name).filename().string();
+  base = base.substr(0, base.find('.'));
+  bool only = anysl_library_info(library)->shader_count == 1;
+  const AnyslShaderInfo *info = anysl_library_shader(library, only ? nullptr : base.c_str());
+  if (!info)
+    throw UserError(use.where, anysl_last_error());
+  if (info->kind != uint32_t(use.kind))
+    throw UserError(use.where, "\"" + use.name + "\" is a " + anysl_kind_name(info->kind) +
+                                   " shader, not a " + anysl_kind_name(uint32_t(use.kind)) +
+                                   " shader");
+  auto shader = std::make_unique<Shader>();
+  shader->scene = &scene;
+  shader->use = &use;
+  shader->space = Space(use.shaderToCamera);
+  AnyslInstance *instance = nullptr;
+  if (anysl_instance_create(library, info->name, &services, shader.get(), &instance))
+    throw UserError(use.where, anysl_last_error());
+  shader->instance.reset(instance);
+  shader->info = info;
+  shader->shade = anysl_shader_entry(info, width);
+  shader->width = width;
+  if (!shader->shade) { // a library from elsewhere, with other widths
+    shader->shade = anysl_shader_entry(info, 0);
+    shader->width = anysl_shader_widest(info);
+  }
+  shader->needed = info->globals_read;
+  shader->globals = info->globals_read | info->globals_written;
+  setParameters(*shader);
+  return shader;
+}
+
+void ShaderLoader::setParameters(Shader &shader) {
+  const ShaderUse &use = *shader.use;
+  for (const Parameter &parameter : use.parameters) {
+    const AnyslParamInfo *param = anysl_shader_param(shader.info, parameter.name.c_str());
+    if (!param) {
+      warnings.warn(parameter.where,
+                    "shader \"" + use.name + "\" has no parameter \"" + parameter.name + "\"");
+      continue;
+    }
+    if (parameter.declaration && !fits(parameter.declaration->type, param->type))
+      throw UserError(parameter.where, "\"" + parameter.name + "\" of shader \"" + use.name +
+                                           "\" is a " + anysl_type_name(param->type) +
+                                           "; it is declared otherwise here");
+    AnyslStatus status;
+    if (!parameter.strings.empty()) {
+      std::vector<const char *> texts;
+      for (const std::string &text : parameter.strings)
+        texts.push_back(text.c_str());
+      status = anysl_instance_set_strings(shader.instance.get(), param->name, texts.data(),
+                                          texts.size());
+    } else {
+      // Geometric values are given in the space of the request, and shaders want camera space.
+      std::vector<double> numbers = parameter.numbers;
+      bool geometric =
+          param->type == ANYSL_POINT || param->type == ANYSL_VECTOR || param->type == ANYSL_NORMAL;
+      for (size_t i = 0; geometric && i + 2 < numbers.size(); i += 3) {
+        Vec3d value(numbers[i], numbers[i + 1], numbers[i + 2]);
+        value = param->type == ANYSL_POINT    ? use.shaderToCamera.point(value)
+                : param->type == ANYSL_VECTOR ? use.shaderToCamera.vector(value)
+                                              : shader.space.fromCamera.normalByInverse(value);
+        for (size_t k = 0; k < 3; ++k)
+          numbers[i + k] = value[int(k)];
+      }
+      status = anysl_instance_set_numbers(shader.instance.get(), param->name, numbers.data(),
+                                          numbers.size());
+    }
+    if (status != ANYSL_OK)
+      throw UserError(parameter.where, anysl_last_error());
+  }
+}

@@ -1,0 +1,76 @@
+//===-- tools/anysl-render/Shaders.h - shaders with their values --------------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_SHADERS_H
+#define ANYSL_RENDER_SHADERS_H
+
+#include "tools/anysl-render/ShaderCache.h"
+#include "tools/anysl-render/Spaces.h"
+
+#include <anysl/anysl.h>
+
+#include <span>
+
+namespace anysl::render {
+
+class Scene;
+
+/// A shader with its parameters' values, as one request states it. Its address is what the shader
+/// hands back to every service as `renderer`.
+struct Shader {
+  const Scene *scene = nullptr;
+  const ShaderUse *use = nullptr;
+  Space space; ///< "shader"
+  struct Free {
+    void operator()(AnyslInstance *instance) const { anysl_instance_free(instance); }
+  };
+  std::unique_ptr<AnyslInstance, Free> instance;
+  const AnyslShaderInfo *info = nullptr;
+  AnyslShadeFunction shade = nullptr;
+  uint32_t width = 1;
+  uint64_t globals = 0; ///< all that it reads or writes, as bits 1 << ANYSL_P ...
+  uint64_t needed = 0;  ///< those that it reads
+};
+
+/// Opens shader libraries, each file once, and makes shaders of them.
+class ShaderLoader {
+public:
+  /// The services are the host's; the layout and width what it can work with.
+  ShaderLoader(const Scene &scene, const ShaderCache &cache, const AnyslServices &services,
+               AnyslLayout layout, unsigned width, Warnings &warnings)
+      : scene(scene), cache(cache), services(services), layout(layout), width(width),
+        warnings(warnings) {}
+
+  /// Finds and compiles what the shaders need, in parallel, and opens it. Throws UserError where
+  /// one is missing, does not compile or does not fit the host.
+  void open(std::span<const ShaderUse *const> uses);
+  /// A shader whose library is open, with the values that the request gives its parameters. Throws
+  /// UserError where it is of another kind or a value does not fit. `use` must outlive it.
+  std::unique_ptr<Shader> make(const ShaderUse &use);
+
+  /// The number format of all the shaders' batches.
+  AnyslReal real() const { return format; }
+
+private:
+  struct Close {
+    void operator()(AnyslLibrary *library) const { anysl_library_close(library); }
+  };
+  void setParameters(Shader &shader);
+
+  const Scene &scene;
+  const ShaderCache &cache;
+  const AnyslServices &services;
+  AnyslLayout layout;
+  unsigned width;
+  Warnings &warnings;
+  AnyslReal format = ANYSL_REAL_FLOAT;
+  std::map<std::string, std::unique_ptr<AnyslLibrary, Close>> libraries; ///< by the shader's name
+};
+
+} // namespace anysl::render
+
+#endif
