@@ -33,9 +33,15 @@ float filterstep(float edge, s0, s1) {
   return edge <= low ? 1 : (edge > high ? 0 : (high - edge) / (high - low));
 }
 
-float clamp(float x, low, high) { return min(max(x, low), high); }
-color clamp(color x, low, high) { return min(max(x, low), high); }
-vector clamp(vector x, low, high) { return min(max(x, low), high); }
+// The low limit counts first, as the RenderMan Interface says. Where it is above the high one, min(max(x, low), high)
+// would give the high one for all x: a loop that steps by clamp(step, smallest, end - t) would then stand still at its end.
+float clamp(float x, low, high) { return x < low ? low : min(x, high); }
+color clamp(color x, low, high) {
+  return color(clamp(x[0], low[0], high[0]), clamp(x[1], low[1], high[1]), clamp(x[2], low[2], high[2]));
+}
+vector clamp(vector x, low, high) {
+  return vector(clamp(x[0], low[0], high[0]), clamp(x[1], low[1], high[1]), clamp(x[2], low[2], high[2]));
+}
 
 float mix(float a, b, x) { return (1 - x) * a + x * b; }
 color mix(color a, b; float x) { return (1 - x) * a + x * b; }
