@@ -27,6 +27,7 @@ namespace anysl::rsl {
 
 struct Builtin;
 struct FunctionDecl;
+struct StructDecl;
 struct VarDecl;
 using llvm::ArrayRef;
 using llvm::SMLoc;
@@ -40,6 +41,7 @@ enum class ExprKind : uint8_t {
   String,
   Name,
   Index,
+  Member,
   Negate,
   Not,
   Binary,
@@ -97,6 +99,18 @@ struct IndexExpr : Expr {
   static bool classof(const Expr *e) { return e->kind == ExprKind::Index; }
 };
 
+/// A member of a structure, or of the class that a method belongs to: `a->b`, `a.b`. Sema replaces
+/// it by the variable that the member is.
+struct MemberExpr : Expr {
+  Expr *base;
+  StringRef name;
+  SMRange nameRange;
+  MemberExpr(SMRange range, Expr *base, StringRef name, SMRange nameRange)
+      : Expr(ExprKind::Member, nameRange.Start, range), base(base), name(name),
+        nameRange(nameRange) {}
+  static bool classof(const Expr *e) { return e->kind == ExprKind::Member; }
+};
+
 struct NegateExpr : Expr {
   Expr *operand;
   NegateExpr(SMLoc loc, SMRange range, Expr *operand)
@@ -135,6 +149,7 @@ struct BinaryExpr : Expr {
   BinaryOp op;
   Expr *left;
   Expr *right;
+  Expr *meaning = nullptr; ///< of a dot that takes a structure's member, once Sema has found out
   BinaryExpr(SMLoc loc, SMRange range, BinaryOp op, Expr *left, Expr *right)
       : Expr(ExprKind::Binary, loc, range), op(op), left(left), right(right) {}
   static bool classof(const Expr *e) { return e->kind == ExprKind::Binary; }
@@ -212,8 +227,10 @@ enum class SplineBasis : uint8_t { CatmullRom, Bezier, BSpline, Hermite, Power, 
 struct CallExpr : Expr {
   StringRef name;
   SMRange nameRange;
-  llvm::MutableArrayRef<Expr *> args;
-  FunctionDecl *function = nullptr; ///< one of these, from Sema on
+  llvm::MutableArrayRef<Expr *> args; ///< from Sema on: structures as their members
+  Expr *object = nullptr;             ///< what a method is called on, null if none is written
+  ArrayRef<Expr *> self;              ///< from Sema on: the object's members, where it is another
+  FunctionDecl *function = nullptr;   ///< one of these, from Sema on
   const Builtin *builtin = nullptr;
   CallForm form = CallForm::Function;
   SplineBasis basis = SplineBasis::CatmullRom;
@@ -231,7 +248,8 @@ struct ListExpr : Expr {
   static bool classof(const Expr *e) { return e->kind == ExprKind::List; }
 };
 
-/// a, b in the head of a for loop.
+/// a, b in the head of a for loop; also what Sema makes of an operation on a structure: the steps
+/// before its value.
 struct CommaExpr : Expr {
   llvm::MutableArrayRef<Expr *> elements;
   CommaExpr(SMRange range, llvm::MutableArrayRef<Expr *> elements)
@@ -256,6 +274,7 @@ enum class StmtKind : uint8_t {
   Illuminate,
   Solar,
   Function,
+  Struct,
   Extern
 };
 
@@ -346,6 +365,13 @@ struct LightStmt : Stmt {
   }
 };
 
+struct StructStmt : Stmt {
+  StructDecl *structure;
+  StructStmt(SMLoc loc, StructDecl *structure)
+      : Stmt(StmtKind::Struct, loc), structure(structure) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Struct; }
+};
+
 struct FunctionStmt : Stmt {
   FunctionDecl *function;
   FunctionStmt(SMLoc loc, FunctionDecl *function)
@@ -363,10 +389,11 @@ enum class VarKind : uint8_t { Global, ShaderParam, FunctionParam, Local };
 struct VarDecl {
   VarKind kind;
   StringRef name;
-  SMRange range;          ///< of the name; invalid for a global
-  Type type;              ///< the length of an array: see `length`
-  Expr *length = nullptr; ///< the expression in [], null if none
-  Expr *init = nullptr;
+  SMRange range;                 ///< of the name; invalid for a global
+  Type type;                     ///< the length of an array: see `length`
+  Expr *length = nullptr;        ///< the expression in [], null if none
+  Expr *init = nullptr;          ///< a structure's: from Sema on an assignment
+  ArrayRef<VarDecl *> members;   ///< of a structure, from Sema on: the variables it consists of
   FunctionDecl *owner = nullptr; ///< the function whose parameter or local it is
   unsigned id = 0;               ///< Global: as in Globals.def; ShaderParam: number from 0
   bool isOutput = false;
@@ -375,6 +402,7 @@ struct VarDecl {
   bool isAssigned = false;
   bool isCopied = false;      ///< a function's parameter that its body assigns without `output`
   bool defaultVaries = false; ///< ShaderParam whose default differs from point to point
+  bool isHidden = false;      ///< made by Sema, not declared by a statement
 };
 
 struct FunctionDecl {
@@ -383,13 +411,31 @@ struct FunctionDecl {
   Type result;
   bool resultHasStorage = false;
   ArrayRef<VarDecl *> params;
+  ArrayRef<VarDecl *> leaves;        ///< the parameters, structures as their members; from Sema on
+  VarDecl *resultVariable = nullptr; ///< of a function that returns a structure; from Sema on
   BlockStmt *body = nullptr;
   FunctionDecl *outer = nullptr;    ///< the function that it is nested in
+  StructDecl *parent = nullptr;     ///< whose method it is
   const Builtin *defines = nullptr; ///< in a library: the built-in whose operator it is
   bool isBeingChecked = false;
+  bool isChecked = false;
+  bool isPublic = false;
   bool isVarying = false; ///< gives varying values whatever its arguments are
   bool usesOuter = false; ///< names a variable that is not its own
   bool isUsed = false;
+};
+
+/// A structure or a class shader: its members and methods. The members are variables as the methods
+/// see them; where a method is called, lowering puts the object's in their place.
+struct StructDecl {
+  StringRef name;
+  SMRange range; ///< of the name
+  ArrayRef<VarDecl *> members;
+  ArrayRef<VarDecl *> leaves; ///< the members, structures as theirs; from Sema on
+  ArrayRef<FunctionDecl *> methods;
+  ArrayRef<StructDecl *> inner; ///< structures defined inside
+  bool isClass = false;         ///< a class shader, whose entry methods are shaders
+  ArrayRef<VarDecl *> params;   ///< of a class shader
 };
 
 enum class ShaderType : uint8_t { Surface = 1, Displacement, Light, Volume, Imager };
@@ -425,6 +471,7 @@ public:
   struct Item {
     FunctionDecl *function = nullptr;
     ShaderDecl *shader = nullptr;
+    StructDecl *structure = nullptr;
   };
   std::vector<Item> items;
 

@@ -87,6 +87,8 @@ Value *Lowering::slotOf(const VarDecl &decl) {
     break;
   }
   Value *slot = slots.lookup(&decl);
+  if (!slot && decl.isHidden)
+    slot = slots[&decl] = temporary(decl.type, decl.name);
   assert(slot && "a variable is declared before it is used");
   return slot;
 }

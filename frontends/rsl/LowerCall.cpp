@@ -196,7 +196,7 @@ Value *Lowering::callFunction(const CallExpr &call) {
     if (expansions == MaxExpansions + 1)
       diags.error(call.loc, "functions calling functions expand to more than " +
                                 Twine(MaxExpansions) + " calls");
-    return function.result.kind == TypeKind::Void ? nullptr : temporary(call.type);
+    return call.type.is(TypeKind::Void) ? nullptr : temporary(call.type);
   }
   struct Output {
     Place target;
@@ -208,7 +208,7 @@ Value *Lowering::callFunction(const CallExpr &call) {
   SmallVector<Value *, 8> arguments;
   for (size_t i = 0; i < call.args.size(); ++i) {
     const Expr *arg = call.args[i];
-    const VarDecl *param = function.params[i];
+    const VarDecl *param = function.leaves[i];
     Type type = param->type.withVarying(arg->type.varying);
     if (arg->type.isArray())
       type.length = arg->type.length;
@@ -246,10 +246,18 @@ Value *Lowering::callFunction(const CallExpr &call) {
     }
     arguments.push_back(value);
   }
+  // The members that a method sees are those of the object that it is called on.
+  SmallVector<Value *, 16> outerMembers;
+  for (const Expr *member : call.self)
+    outerMembers.push_back(place(member).slot);
+  for (size_t i = 0; i < call.self.size(); ++i)
+    std::swap(outerMembers[i], slots[function.parent->leaves[i]]);
   for (size_t i = 0; i < arguments.size(); ++i)
-    slots[function.params[i]] = arguments[i];
+    slots[function.leaves[i]] = arguments[i];
+  if (function.resultVariable)
+    lowerVariable(*function.resultVariable);
 
-  bool hasResult = function.result.kind != TypeKind::Void;
+  bool hasResult = function.result.kind != TypeKind::Void && !function.resultVariable;
   Type outerType = std::exchange(resultType, {function.result.kind, call.type.varying});
   Value *result = hasResult ? temporary(resultType, function.name) : nullptr;
   if (hasResult && !alwaysReturns(function.body))
@@ -262,6 +270,8 @@ Value *Lowering::callFunction(const CallExpr &call) {
   BasicBlock *end = std::exchange(returnBlock, outerReturn);
   resultSlot = outerResult;
   resultType = outerType;
+  for (size_t i = 0; i < call.self.size(); ++i)
+    slots[function.parent->leaves[i]] = outerMembers[i];
   at(call.loc);
   branchTo(end);
   continueIn(end);

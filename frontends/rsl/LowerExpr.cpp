@@ -46,7 +46,7 @@ void Lowering::copy(Type type, Value *to, Value *from) {
     return;
   }
   Op op = type.kind == TypeKind::Matrix ? Op::copy_matrix
-          : type.kind == TypeKind::String
+          : type.kind == TypeKind::String || type.kind == TypeKind::Shader
               ? Op::copy_string
               : opFor(type.kind, Op::copy_float, Op::copy_color, Op::copy_vector);
   b.call(op, {to, from});
@@ -78,7 +78,7 @@ void Lowering::setZero(Type type, Value *slot) {
       setZero(type.element(), elementOf(slot, i));
     return;
   }
-  if (type.kind == TypeKind::String)
+  if (type.kind == TypeKind::String || type.kind == TypeKind::Shader)
     b.call(Op::const_string, {slot, b.text("")});
   else if (type.kind == TypeKind::Float)
     b.call(Op::const_float, {slot, b.number(0)});
@@ -149,6 +149,8 @@ Value *Lowering::lower(const Expr *expr) {
     lowerCondition(expr);
     return nullptr;
   }
+  if (expr->type.structure && isa<NameExpr, IndexExpr>(expr))
+    return nullptr; // Sema has made operations on its members of everything that is done to it
   switch (expr->kind) {
   case ExprKind::Number:
     at(expr->loc);
@@ -198,6 +200,7 @@ Value *Lowering::lower(const Expr *expr) {
   }
   case ExprKind::Opaque:
     return opaques.lookup(cast<OpaqueExpr>(expr));
+  case ExprKind::Member:
   case ExprKind::Not:
   case ExprKind::List:
     break;
@@ -260,6 +263,8 @@ Value *Lowering::lowerCondition(const Expr *expr) {
   Value *right = lower(binary->right);
   at(expr->loc);
   TypeKind kind = binary->left->type.kind;
+  if (kind == TypeKind::Shader)
+    kind = TypeKind::String;
   Op op = Op::lt_float;
   switch (binary->op) {
   case BinaryOp::Less:
@@ -373,6 +378,11 @@ Value *Lowering::lowerAssign(const AssignExpr &assign) {
   Place target;
   if (!isSimple)
     target = place(assign.target);
+  if (auto *list = dyn_cast<ListExpr>(assign.value)) {
+    Place array = place(assign.target);
+    lowerListInto(*list, array.slot);
+    return array.slot;
+  }
   Value *value = lower(assign.value);
   at(assign.loc);
   if (isSimple)

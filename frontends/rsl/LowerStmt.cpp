@@ -45,6 +45,7 @@ void Lowering::lower(const Stmt *stmt) {
   case StmtKind::Empty:
   case StmtKind::Extern:
   case StmtKind::Function:
+  case StmtKind::Struct:
     break;
   case StmtKind::Block:
     lowerBody(*cast<BlockStmt>(stmt));
@@ -84,6 +85,13 @@ void Lowering::lower(const Stmt *stmt) {
 
 void Lowering::lowerVariable(const VarDecl &decl) {
   at(decl.range.Start);
+  if (decl.type.structure) {
+    for (const VarDecl *member : decl.members)
+      lowerVariable(*member);
+    if (decl.init)
+      lower(decl.init); // an assignment
+    return;
+  }
   // The value is computed before the name means the new slot: `float s = s`.
   Value *value = nullptr;
   auto *list = dyn_cast_or_null<ListExpr>(decl.init);
@@ -93,6 +101,10 @@ void Lowering::lowerVariable(const VarDecl &decl) {
   Value *slot = temporary(decl.type, decl.name);
   if (list)
     lowerListInto(*list, slot);
+  else if (value && decl.type.isArray() && !decl.init->type.isArray())
+    // A member of structures in an array: each has the default.
+    for (int i = 0; i < decl.type.length; ++i)
+      copy(decl.type.element(), elementOf(slot, unsigned(i)), value);
   else if (value)
     copy(decl.type, slot, value);
   slots[&decl] = slot;
@@ -144,7 +156,8 @@ void Lowering::lowerReturn(const ReturnStmt &stmt) {
   if (stmt.value) {
     Value *value = lower(stmt.value);
     at(stmt.loc);
-    copy(resultType, resultSlot, value);
+    if (resultSlot) // a structure has been assigned to the function's result variable
+      copy(resultType, resultSlot, value);
   }
   branchTo(returnBlock);
 }

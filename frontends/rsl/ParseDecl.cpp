@@ -139,8 +139,9 @@ bool Parser::atTypeName() const {
 }
 
 bool Parser::atSpecifier() const {
-  return atTypeName() || peek().isOneOf(TokenKind::KwUniform, TokenKind::KwVarying,
-                                        TokenKind::KwOutput, TokenKind::KwExtern);
+  return atTypeName() || atNamedType() ||
+         peek().isOneOf(TokenKind::KwUniform, TokenKind::KwVarying, TokenKind::KwOutput,
+                        TokenKind::KwExtern);
 }
 
 //===-- Top level -------------------------------------------------------------------------------//
@@ -155,7 +156,15 @@ void Parser::parseFile() {
 
 void Parser::parseTopLevel() {
   const Token &first = peek();
-  if (first.is(TokenKind::Identifier) && peek(1).is(TokenKind::Identifier)) {
+  if (first.is(TokenKind::Identifier) && first.text == "plugin" && peek(1).is(TokenKind::String))
+    return parsePlugin();
+  if (atDefinition("class", TokenKind::LeftParen))
+    return parseClass();
+  if (atDefinition("struct", TokenKind::LeftBrace)) {
+    ast.items.push_back({nullptr, nullptr, parseStruct()});
+    return;
+  }
+  if (!atNamedType() && first.is(TokenKind::Identifier) && peek(1).is(TokenKind::Identifier)) {
     if (std::optional<ShaderType> type = shaderType(first.text))
       return parseShader(*type);
     diags
@@ -183,8 +192,18 @@ void Parser::parseTopLevel() {
   }
   if (FunctionDecl *decl = parseFunction(specifiers)) {
     ast.functions.push_back(decl);
-    ast.items.push_back({decl, nullptr});
+    ast.items.push_back({decl, nullptr, nullptr});
   }
+}
+
+/// `plugin "name";` names compiled code of another renderer. The shader may still do without it.
+void Parser::parsePlugin() {
+  static constexpr WarningGroup Plugin{"plugin", true};
+  SMLoc begin = take().loc;
+  Token name = take();
+  diags.warning(begin, Plugin, "plugin " + name.text + " is ignored: its functions are unknown")
+      .range(rangeFrom(begin));
+  accept(TokenKind::Semicolon);
 }
 
 void Parser::parseShader(ShaderType type) {
@@ -203,7 +222,7 @@ void Parser::parseShader(ShaderType type) {
   shader.body = parseBlock();
   auto *decl = ast.make<ShaderDecl>(shader);
   ast.shaders.push_back(decl);
-  ast.items.push_back({nullptr, decl});
+  ast.items.push_back({nullptr, decl, nullptr});
 }
 
 FunctionDecl *Parser::parseFunction(const Specifiers &specifiers) {
@@ -212,7 +231,7 @@ FunctionDecl *Parser::parseFunction(const Specifiers &specifiers) {
   decl->name = name.text;
   decl->range = name.range();
   decl->result = {specifiers.hasType ? specifiers.type : TypeKind::Void, specifiers.varying,
-                  Type::NoArray};
+                  Type::NoArray, specifiers.structure};
   decl->resultHasStorage = specifiers.hasStorage;
   decl->outer = function;
   function = decl;
@@ -270,7 +289,7 @@ bool Parser::parseParams(VarKind kind, std::vector<VarDecl *> &params, FunctionD
 Parser::Specifiers Parser::parseSpecifiers() {
   Specifiers specifiers;
   specifiers.loc = peek().loc;
-  while (atSpecifier()) {
+  while (atSpecifier() && !(specifiers.hasType && atNamedType())) {
     const Token &token = peek();
     switch (token.kind) {
     case TokenKind::KwOutput:
@@ -283,6 +302,11 @@ Parser::Specifiers Parser::parseSpecifiers() {
     case TokenKind::KwVarying:
       specifiers.hasStorage = true;
       specifiers.varying = token.is(TokenKind::KwVarying);
+      break;
+    case TokenKind::Identifier:
+      specifiers.hasType = true;
+      specifiers.structure = structNamed(token.text);
+      specifiers.type = specifiers.structure ? TypeKind::Struct : TypeKind::Shader;
       break;
     default:
       if (specifiers.hasType) {
@@ -341,6 +365,7 @@ VarDecl *Parser::parseVariable(VarKind kind, const Specifiers &specifiers, Funct
   decl->hasStorage = specifiers.hasStorage;
   // Parameters of shaders are uniform unless they say otherwise, everything else varies.
   decl->type.kind = specifiers.type;
+  decl->type.structure = specifiers.structure;
   decl->type.varying = specifiers.hasStorage ? specifiers.varying : kind != VarKind::ShaderParam;
   if (accept(TokenKind::LeftBracket)) {
     decl->type.length = Type::AnyLength;

@@ -275,7 +275,13 @@ Expr *Parser::parseCast() {
 Expr *Parser::parsePostfix() {
   SMLoc begin = peek().loc;
   Expr *expr = parsePrimary();
-  while (expr && at(TokenKind::LeftBracket)) {
+  while (expr && peek().isOneOf(TokenKind::LeftBracket, TokenKind::Arrow)) {
+    if (at(TokenKind::Arrow)) {
+      expr = parseArrow(expr, begin);
+      if (expr && !grown(expr, {}))
+        return nullptr;
+      continue;
+    }
     SMLoc loc = take().loc;
     Expr *index = parseExpr();
     if (!index || !expect(TokenKind::RightBracket, "after an index"))

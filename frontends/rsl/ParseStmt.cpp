@@ -13,10 +13,12 @@ namespace anysl::rsl {
 
 BlockStmt *Parser::parseBlock() {
   Token open = take();
+  size_t outerStructs = structs.size();
   std::vector<Stmt *> body;
   while (!at(TokenKind::RightBrace) && !at(TokenKind::End) && !diags.reachedLimit())
     if (Stmt *stmt = parseStatement())
       body.push_back(stmt);
+  structs.resize(outerStructs);
   SMLoc end = peek().loc;
   if (!accept(TokenKind::RightBrace))
     diags.error(lastEnd(), "expected '}' at the end of a block")
@@ -111,6 +113,8 @@ Stmt *Parser::parseStatementInner() {
   default:
     break;
   }
+  if (atDefinition("struct", TokenKind::LeftBrace))
+    return ast.make<StructStmt>(loc, parseStruct());
   // A type's name also begins a conversion, but then no name and no storage class follows it.
   if (atSpecifier() &&
       (!atTypeName() || peek(1).is(TokenKind::Identifier) || peek(1).isKeyword())) {

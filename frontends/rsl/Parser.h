@@ -39,6 +39,7 @@ private:
     bool varying = false;
     bool hasType = false;
     TypeKind type = TypeKind::Error;
+    const StructDecl *structure = nullptr;
     SMLoc loc;
   };
 
@@ -60,6 +61,7 @@ private:
 
   // Declarations
   void parseTopLevel();
+  void parsePlugin();
   void parseShader(ShaderType type);
   FunctionDecl *parseFunction(const Specifiers &specifiers);
   bool parseParams(VarKind kind, std::vector<VarDecl *> &params, FunctionDecl *owner);
@@ -68,6 +70,17 @@ private:
   bool atTypeName() const;
   bool atSpecifier() const;
   bool atUntypedFunction() const;
+
+  // Structures and class shaders (ParseStruct.cpp)
+  StructDecl *structNamed(StringRef name) const;
+  bool atNamedType() const;
+  bool atDefinition(StringRef word, TokenKind open) const;
+  StructDecl *parseStruct();
+  void parseClass();
+  void parseMembers(StructDecl &decl);
+  bool parseMember(StructDecl &decl, std::vector<VarDecl *> &members,
+                   std::vector<FunctionDecl *> &methods);
+  Expr *parseArrow(Expr *base, SMLoc begin);
 
   // Statements
   BlockStmt *parseBlock();
@@ -103,7 +116,8 @@ private:
   size_t position = 0;
   Ast &ast;
   DiagnosticEngine &diags;
-  FunctionDecl *function = nullptr; ///< the one whose body is being parsed
+  FunctionDecl *function = nullptr;  ///< the one whose body is being parsed
+  std::vector<StructDecl *> structs; ///< those that are known here
   unsigned depth = 0;
 };
 

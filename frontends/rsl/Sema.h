@@ -37,12 +37,18 @@ private:
     FunctionDecl *function = nullptr;
     llvm::StringMap<VarDecl *> variables;
     llvm::StringMap<llvm::SmallVector<FunctionDecl *, 2>> functions;
+    llvm::StringMap<StructDecl *> structs;
   };
   /// An overload that a call may mean, a function's or a built-in's.
   struct Candidate {
     FunctionDecl *function = nullptr;
     const Builtin *builtin = nullptr;
     TypeKind result() const { return function ? function->result.kind : builtin->result; }
+    Type resultType() const {
+      return function
+                 ? Type{function->result.kind, false, Type::NoArray, function->result.structure}
+                 : Type{builtin->result};
+    }
     size_t size() const { return function ? function->params.size() : builtin->arguments.size(); }
     Type type(size_t i) const;
     bool isIn(size_t i) const;
@@ -61,12 +67,44 @@ private:
   // Declarations
   void checkShader(ShaderDecl &shader);
   void checkFunction(FunctionDecl &function);
+  void declareFunction(FunctionDecl &function);
+  void checkBody(FunctionDecl &function);
   void checkParam(VarDecl &param);
   void checkVariable(VarDecl &decl);
   void checkArrayLength(VarDecl &decl);
   void checkInitialiser(VarDecl &decl);
   void checkExtern(ExternStmt &stmt);
   void matchLibraryFunction(FunctionDecl &function);
+
+  // Structures (SemaStruct.cpp)
+  void checkStruct(StructDecl &decl);
+  void checkMembers(StructDecl &decl);
+  void checkMethod(FunctionDecl &method);
+  void expandStruct(VarDecl &decl);
+  static void appendLeaves(llvm::ArrayRef<VarDecl *> decls,
+                           llvm::SmallVectorImpl<VarDecl *> &leaves);
+  NameExpr *hiddenVariable(Type type, SMRange range);
+  NameExpr *reference(VarDecl &decl, SMRange range);
+  Expr *sequence(llvm::ArrayRef<Expr *> steps, Expr *value, SMRange range);
+  Expr *splitSteps(Expr *expr, llvm::SmallVectorImpl<Expr *> &steps);
+  Expr *memberOf(Expr *base, size_t i);
+  void appendMembers(Expr *base, llvm::SmallVectorImpl<Expr *> &members);
+  bool isThis(const Expr *expr);
+  VarDecl *lookupOwn(StringRef name);
+  Type probeMember(const MemberExpr &member);
+  Expr *checkMember(MemberExpr &member);
+  Expr *dotAsMember(BinaryExpr &dot);
+  bool dotAsMemberInner(BinaryExpr &dot);
+  void assignMembers(Expr *target, Expr *value, SMLoc loc, llvm::SmallVectorImpl<Expr *> &steps);
+  Expr *assignment(Expr *target, Expr *value, SMLoc loc);
+  Expr *assignStruct(Expr *target, Expr *value, SMLoc loc, SMRange range);
+  void initialiseStruct(VarDecl &decl);
+  Expr *checkConstructor(CallExpr &call, StructDecl &decl);
+  void assignDefaults(VarDecl &member, llvm::SmallVectorImpl<Expr *> &steps);
+  Expr *zeroOf(Type type, SMRange range);
+  void flattenArguments(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps);
+  void bindObject(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps);
+  Expr *copyResult(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps);
 
   // Statements
   void checkStmt(Stmt *stmt);
@@ -101,11 +139,13 @@ private:
   // Calls
   Type probe(Expr *expr);
   Type probeInner(Expr *expr);
-  std::vector<Candidate> candidates(StringRef name);
+  std::vector<Candidate> candidates(const CallExpr &call);
+  StructDecl *lookupStruct(StringRef name);
   int cost(const Candidate &candidate, const CallExpr &call, llvm::ArrayRef<Type> args,
            TypeKind hint);
   std::optional<Candidate> choose(CallExpr &call, llvm::ArrayRef<Type> args, TypeKind hint);
   bool isFlexible(CallExpr &call, llvm::ArrayRef<Type> args);
+  Expr *reportNoObject(CallExpr &call);
   void reportUnknown(const CallExpr &call);
   void reportNoMatch(const CallExpr &call, llvm::ArrayRef<Type> args,
                      llvm::ArrayRef<Candidate> candidates);
@@ -127,6 +167,8 @@ private:
   std::vector<Scope> scopes;
   ShaderDecl *shader = nullptr;
   FunctionDecl *function = nullptr;
+  StructDecl *structure = nullptr; ///< whose methods are being checked
+  size_t structureScope = 0;       ///< how many scopes those see
   unsigned loops = 0;
   unsigned illuminances = 0;
 };

@@ -61,6 +61,8 @@ Type Sema::probeInner(Expr *expr) {
     Type base = probe(cast<IndexExpr>(expr)->base);
     return base.isTriple() ? Type{TypeKind::Float} : base.element();
   }
+  case ExprKind::Member:
+    return probeMember(*cast<MemberExpr>(expr));
   case ExprKind::Negate:
     return probe(cast<NegateExpr>(expr)->operand);
   case ExprKind::Not:
@@ -69,8 +71,10 @@ Type Sema::probeInner(Expr *expr) {
     auto *binary = cast<BinaryExpr>(expr);
     if (isComparison(binary->op) || isLogical(binary->op))
       return {TypeKind::Bool};
-    if (binary->op == BinaryOp::Dot)
-      return {TypeKind::Float};
+    if (binary->op == BinaryOp::Dot) {
+      Expr *member = dotAsMember(*binary);
+      return member ? probe(member) : Type{TypeKind::Float};
+    }
     if (binary->op == BinaryOp::Cross)
       return {TypeKind::Vector};
     Type left = probe(binary->left), right = probe(binary->right);
@@ -99,7 +103,7 @@ Type Sema::probeInner(Expr *expr) {
     for (Expr *arg : call->args)
       args.push_back(probe(arg));
     if ((call->name == "min" || call->name == "max") && args.size() > 2 &&
-        candidates(call->name)[0].builtin) {
+        candidates(*call)[0].builtin) {
       Type kind = args[0];
       for (Type arg : args)
         kind = {combinedKind(BinaryOp::Add, kind, arg)};
@@ -108,7 +112,9 @@ Type Sema::probeInner(Expr *expr) {
     if (isFlexible(*call, args))
       return {};
     if (std::optional<Candidate> chosen = choose(*call, args, TypeKind::Error))
-      return {chosen->result()};
+      return chosen->resultType();
+    if (StructDecl *structure = lookupStruct(call->name); structure && !call->object)
+      return {TypeKind::Struct, true, Type::NoArray, structure};
     // Component by component: the type of the first triple.
     for (Type arg : args)
       if (arg.isTriple() && !builtinsNamed(call->name).empty())
@@ -130,7 +136,7 @@ bool Sema::isFlexible(CallExpr &call, ArrayRef<Type> args) {
   int best = INT_MAX;
   TypeKind result = TypeKind::Error;
   bool differs = false;
-  for (const Candidate &candidate : candidates(call.name)) {
+  for (const Candidate &candidate : candidates(call)) {
     int price = cost(candidate, call, args, TypeKind::Error);
     if (price < 0 || price > best)
       continue;
@@ -144,8 +150,17 @@ bool Sema::isFlexible(CallExpr &call, ArrayRef<Type> args) {
 //===-- Overloads -------------------------------------------------------------------------------//
 
 /// The functions in scope that have a name, inner ones first, then the built-ins.
-std::vector<Sema::Candidate> Sema::candidates(StringRef name) {
+std::vector<Sema::Candidate> Sema::candidates(const CallExpr &call) {
+  StringRef name = call.name;
   std::vector<Candidate> found;
+  if (call.object) {
+    const StructDecl *owner = isThis(call.object) ? structure : probe(call.object).structure;
+    if (owner)
+      for (FunctionDecl *method : owner->methods)
+        if (method->name == name)
+          found.push_back({method, nullptr});
+    return found;
+  }
   for (Scope &scope : llvm::reverse(scopes)) {
     auto entry = scope.functions.find(name);
     if (entry == scope.functions.end())
@@ -185,7 +200,7 @@ int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> 
     }
     if (candidate.isOut(i)) {
       // What comes back must be of the same kind: a color gets no float.
-      int price = conversionCost(param, args[i]);
+      int price = param.isArray() ? conversionCost(args[i], param) : conversionCost(param, args[i]);
       if (price < 0 || price > 4)
         return -1;
       total += price;
@@ -201,7 +216,7 @@ int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> 
 std::optional<Sema::Candidate> Sema::choose(CallExpr &call, ArrayRef<Type> args, TypeKind hint) {
   std::optional<Candidate> best;
   int lowest = INT_MAX;
-  for (const Candidate &candidate : candidates(call.name)) {
+  for (const Candidate &candidate : candidates(call)) {
     if (candidate.builtin && best && best->function)
       break;
     int price = cost(candidate, call, args, hint);
@@ -257,13 +272,21 @@ bool Sema::chooseComponentWise(CallExpr &call, ArrayRef<Type> args) {
 }
 
 Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
-  std::vector<Candidate> all = candidates(given.name);
-  if (all.empty())
+  if (given.object && !isThis(given.object)) {
+    given.object = check(given.object);
+    if (!given.object->type.isStruct())
+      return reportNoObject(given);
+  }
+  std::vector<Candidate> all = candidates(given);
+  if (all.empty() && !given.object)
+    if (StructDecl *structure = lookupStruct(given.name))
+      return checkConstructor(given, *structure);
+  if (all.empty() && !given.object)
     if (Expr *special = checkSpecial(given, hint))
       return special;
   CallExpr *call = &given;
   bool isExtreme = given.name == "min" || given.name == "max";
-  if (isExtreme && given.args.size() > 2 && all[0].builtin) {
+  if (isExtreme && given.args.size() > 2 && !all.empty() && all[0].builtin) {
     call = foldExtremes(given);
     call->depth = given.depth;
   }
@@ -272,9 +295,9 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
   for (Expr *arg : call->args)
     args.push_back(probe(arg));
   std::optional<Candidate> chosen = choose(*call, args, hint);
-  if (!chosen && chooseComponentWise(*call, args))
+  if (!chosen && !call->object && chooseComponentWise(*call, args))
     return call;
-  if (!chosen && all.empty() && !missingFor(call->name).empty()) {
+  if (!chosen && all.empty() && !call->object && !missingFor(call->name).empty()) {
     // Its arguments may have forms of their own, such as "file"[channel].
     reportUnknown(*call);
     call->type = {TypeKind::Error};
@@ -296,8 +319,11 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
   call->function = chosen->function;
   call->builtin = chosen->builtin;
   call->form = call->function ? CallForm::Function : CallForm::Builtin;
-  if (call->function)
+  if (call->function) {
     call->function->isUsed = true;
+    if (call->function->parent && call->function->parent == structure)
+      checkMethod(*call->function);
+  }
   if (call->function && call->function->isBeingChecked) {
     diags.error(call->loc, "function '" + call->name + "' calls itself; RSL has no recursion")
         .range(call->nameRange)
@@ -332,6 +358,14 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
     if (chosen->function && chosen->function->params[i]->hasStorage && chosen->isIn(i))
       checkStorage(arg, param.varying, what + " is uniform");
   }
+  SmallVector<Expr *, 4> steps;
+  if (chosen->function && !bad) {
+    flattenArguments(*call, steps);
+    if (call->object && !isThis(call->object)) {
+      bindObject(*call, steps);
+      call->hasEffects = true;
+    }
+  }
   if (chosen->function) {
     varying |= chosen->function->isVarying;
     if (chosen->function->resultHasStorage)
@@ -360,21 +394,60 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
         diags.error(call->loc, "'" + call->name + "' exists only inside of 'illuminance'")
             .range(call->nameRange);
   }
-  for (size_t i = 0; i < call->args.size(); ++i)
-    if (chosen->isOut(i)) {
+  for (size_t i = 0; i < call->args.size() && !bad; ++i) {
+    const VarDecl *param = chosen->function ? chosen->function->leaves[i] : nullptr;
+    if (param ? param->isOutput : chosen->isOut(i)) {
       bool argVaries = varying;
-      if (chosen->function && chosen->function->params[i]->hasStorage)
-        argVaries = chosen->function->params[i]->type.varying;
+      if (param && param->hasStorage)
+        argVaries = param->type.varying;
       checkTarget(call->args[i], argVaries, call->args[i]->loc,
                   ("output argument " + Twine(i + 1) + " of '" + call->name + "'").str());
     }
+  }
   call->type = {bad ? TypeKind::Error : chosen->result(), varying};
-  return call;
+  if (bad || !chosen->function)
+    return call;
+  if (chosen->function->resultVariable)
+    return copyResult(*call, steps);
+  return sequence(steps, call, call->range);
+}
+
+/// A method is called on something that has none.
+Expr *Sema::reportNoObject(CallExpr &call) {
+  for (Expr *&arg : call.args)
+    arg = check(arg);
+  if (!call.object->type.isError())
+    diags.error(call.loc, "a value of type '" + toString(call.object->type) + "' has no methods")
+        .range(call.object->range);
+  call.type = {TypeKind::Error};
+  return &call;
+}
+
+StructDecl *Sema::lookupStruct(StringRef name) {
+  for (Scope &scope : llvm::reverse(scopes))
+    if (StructDecl *found = scope.structs.lookup(name))
+      return found;
+  return nullptr;
 }
 
 //===-- Messages --------------------------------------------------------------------------------//
 
 void Sema::reportUnknown(const CallExpr &call) {
+  if (call.object) {
+    const StructDecl *owner = isThis(call.object) ? structure : call.object->type.structure;
+    std::vector<StringRef> names;
+    if (owner)
+      for (const FunctionDecl *method : owner->methods)
+        names.push_back(method->name);
+    auto error = diags.error(call.loc, owner ? ("'" + owner->name + "' has no method '" +
+                                                call.name + "'" + didYouMean(call.name, names))
+                                                   .str()
+                                             : "'this' exists only in methods");
+    error.range(call.nameRange);
+    if (owner)
+      error.note(owner->range.Start, "declared here", owner->range);
+    return;
+  }
   if (StringRef need = missingFor(call.name); !need.empty()) {
     diags.error(call.loc, "built-in '" + call.name + "' is not supported: it needs " + need)
         .range(call.nameRange);

@@ -32,6 +32,8 @@ void Sema::check() {
       return;
     if (item.function)
       checkFunction(*item.function);
+    else if (item.structure)
+      checkStruct(*item.structure);
     else
       checkShader(*item.shader);
   }
@@ -162,6 +164,12 @@ void Sema::checkShader(ShaderDecl &decl) {
 
 void Sema::checkParam(VarDecl &param) {
   checkArrayLength(param);
+  if (param.type.structure) {
+    diags.error(param.range.Start, "a shader's parameter cannot be a structure").range(param.range);
+    param.type = {};
+    param.init = nullptr;
+    return declare(&param);
+  }
   if (!param.init) {
     diags
         .warning(param.range.Start, MissingDefault,
@@ -187,12 +195,19 @@ void Sema::checkParam(VarDecl &param) {
 void Sema::checkFunction(FunctionDecl &decl) {
   if (options.isLibrary && !decl.outer)
     matchLibraryFunction(decl);
+  declareFunction(decl);
+  checkBody(decl);
+}
+
+/// Makes a function known where it stands.
+void Sema::declareFunction(FunctionDecl &decl) {
   SmallVector<FunctionDecl *, 2> &overloads = scopes.back().functions[decl.name];
   for (FunctionDecl *other : overloads) {
     bool same =
         other->result.kind == decl.result.kind && other->params.size() == decl.params.size();
     for (size_t i = 0; same && i < decl.params.size(); ++i)
       same = other->params[i]->type.kind == decl.params[i]->type.kind &&
+             other->params[i]->type.structure == decl.params[i]->type.structure &&
              other->params[i]->type.isArray() == decl.params[i]->type.isArray();
     if (same)
       diags.error(decl.range.Start, "redefinition of function '" + decl.name + "'")
@@ -200,6 +215,9 @@ void Sema::checkFunction(FunctionDecl &decl) {
           .note(other->range.Start, "previously defined here", other->range);
   }
   overloads.push_back(&decl);
+}
+
+void Sema::checkBody(FunctionDecl &decl) {
   FunctionDecl *outerFunction = std::exchange(function, &decl);
   unsigned outerLoops = std::exchange(loops, 0);
   unsigned outerIlluminances = std::exchange(illuminances, 0);
@@ -212,8 +230,15 @@ void Sema::checkFunction(FunctionDecl &decl) {
           .range(param->init->range);
       check(param->init);
     }
+    if (param->type.structure)
+      expandStruct(*param);
     declare(param);
   }
+  SmallVector<VarDecl *, 16> leaves;
+  appendLeaves(decl.params, leaves);
+  decl.leaves = ast.copy<VarDecl *>(leaves);
+  if (decl.result.structure)
+    decl.resultVariable = hiddenVariable(decl.result, decl.range)->decl;
   pushScope();
   for (Stmt *stmt : decl.body->body)
     checkStmt(stmt);
@@ -225,6 +250,7 @@ void Sema::checkFunction(FunctionDecl &decl) {
                  "function '" + decl.name + "' may end without returning a value; it is then 0")
         .note(decl.range.Start, "declared here", decl.range);
   decl.isBeingChecked = false;
+  decl.isChecked = true;
   function = outerFunction;
   loops = outerLoops;
   illuminances = outerIlluminances;
@@ -304,9 +330,17 @@ void Sema::checkArrayLength(VarDecl &decl) {
 
 void Sema::checkVariable(VarDecl &decl) {
   checkArrayLength(decl);
-  // The value is looked at before the name is there: `float s = s` means the outer s.
-  if (decl.init)
+  if (decl.type.structure) {
+    if (decl.type.length == Type::AnyLength)
+      if (auto *list = dyn_cast_or_null<ListExpr>(decl.init); list && !list->elements.empty())
+        decl.type.length = static_cast<int>(list->elements.size());
+    expandStruct(decl);
+    if (decl.init)
+      initialiseStruct(decl);
+  } else if (decl.init) {
+    // The value is looked at before the name is there: `float s = s` means the outer s.
     checkInitialiser(decl);
+  }
   if (decl.type.length == Type::AnyLength) {
     diags
         .error(decl.range.Start,

@@ -41,6 +41,8 @@ Expr *Sema::check(Expr *expr, TypeKind hint) {
     return checkName(*cast<NameExpr>(expr));
   case ExprKind::Index:
     return checkIndex(*cast<IndexExpr>(expr));
+  case ExprKind::Member:
+    return checkMember(*cast<MemberExpr>(expr));
   case ExprKind::Negate:
     return checkNegate(*cast<NegateExpr>(expr), hint);
   case ExprKind::Not: {
@@ -52,6 +54,9 @@ Expr *Sema::check(Expr *expr, TypeKind hint) {
   }
   case ExprKind::Binary: {
     auto *binary = cast<BinaryExpr>(expr);
+    if (binary->op == BinaryOp::Dot)
+      if (Expr *member = dotAsMember(*binary))
+        return check(member, hint);
     return isComparison(binary->op) ? checkComparison(*binary) : checkBinary(*binary, hint);
   }
   case ExprKind::Conditional:
@@ -499,6 +504,12 @@ Expr *Sema::checkAssign(AssignExpr &assign) {
         ast.make<BinaryExpr>(assign.loc, assign.range, assign.op, assign.old, assign.value);
     operation->depth = assign.depth;
     assign.value = operation;
+  }
+  if (target.structure && !assign.isCompound) {
+    assign.value = convert(check(assign.value), target, what);
+    if (assign.value->type.isError())
+      return failed(&assign);
+    return assignStruct(assign.target, assign.value, assign.loc, assign.range);
   }
   if (target.isArray()) {
     assign.value = check(assign.value);

@@ -80,6 +80,9 @@ void Sema::checkStmt(Stmt *stmt) {
   case StmtKind::Solar:
     checkLight(*cast<LightStmt>(stmt));
     break;
+  case StmtKind::Struct:
+    checkStruct(*cast<StructStmt>(stmt)->structure);
+    break;
   case StmtKind::Function:
     checkFunction(*cast<FunctionStmt>(stmt)->function);
     break;
@@ -137,6 +140,13 @@ void Sema::checkReturn(ReturnStmt &stmt) {
     if (function)
       error.note(function->range.Start, "declared here", function->range);
     check(stmt.value);
+    return;
+  }
+  if (result.structure) {
+    stmt.value = convert(check(stmt.value), result, "returning from '" + function->name + "'");
+    if (!stmt.value->type.isError())
+      stmt.value = assignStruct(reference(*function->resultVariable, stmt.value->range), stmt.value,
+                                stmt.loc, stmt.value->range);
     return;
   }
   stmt.value = checkAs(stmt.value, result, "returning from '" + function->name + "'");

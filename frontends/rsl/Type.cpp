@@ -7,6 +7,7 @@
 
 #include "frontends/rsl/Type.h"
 
+#include "frontends/rsl/Ast.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/ErrorHandling.h"
 
@@ -41,12 +42,16 @@ StringRef nameOf(TypeKind kind) {
     return "matrix";
   case TypeKind::String:
     return "string";
+  case TypeKind::Shader:
+    return "shader";
+  case TypeKind::Struct:
+    return "struct";
   }
   llvm_unreachable("unknown type");
 }
 
 std::string toString(Type type) {
-  std::string text = nameOf(type.kind).str();
+  std::string text = (type.structure ? type.structure->name : nameOf(type.kind)).str();
   if (type.isArray())
     text += type.length == Type::AnyLength ? "[]" : "[" + itostr(type.length) + "]";
   return text;
@@ -67,10 +72,12 @@ stc::Type lowered(TypeKind kind) {
   case TypeKind::Matrix:
     return stc::Type::matrixTy;
   case TypeKind::String:
+  case TypeKind::Shader:
     return stc::Type::stringTy;
   case TypeKind::Error:
   case TypeKind::Void:
   case TypeKind::Bool:
+  case TypeKind::Struct:
     break;
   }
   llvm_unreachable("no variable has this type");
@@ -101,11 +108,12 @@ int conversionCost(Type from, Type to) {
     return 0;
   if (from.isArray() || to.isArray()) {
     bool fits = from.isArray() && to.isArray() && from.kind == to.kind &&
+                from.structure == to.structure &&
                 (from.length == to.length || to.length == Type::AnyLength);
     return fits ? 0 : -1;
   }
   if (from.kind == to.kind)
-    return 0;
+    return from.structure == to.structure ? 0 : -1;
   if (from.isGeometric() && to.isGeometric())
     return 1;
   if (from.isTriple() && to.isTriple())

@@ -13,6 +13,8 @@
 
 namespace anysl::rsl {
 
+struct StructDecl;
+
 enum class TypeKind : uint8_t {
   Error, ///< of an expression that was already reported
   Void,
@@ -23,7 +25,9 @@ enum class TypeKind : uint8_t {
   Vector,
   Normal,
   Matrix,
-  String
+  String,
+  Shader, ///< a co-shader's handle: its name, "" for null
+  Struct  ///< which one: Type::structure
 };
 
 /// A type with its storage class: whether a value is the same for all points of a batch.
@@ -34,18 +38,20 @@ struct Type {
   TypeKind kind = TypeKind::Error;
   bool varying = false;
   int length = NoArray;
+  const StructDecl *structure = nullptr;
 
   bool is(TypeKind other) const { return kind == other && !isArray(); }
   bool isError() const { return kind == TypeKind::Error; }
   bool isArray() const { return length != NoArray; }
+  bool isStruct() const { return is(TypeKind::Struct); }
   /// point, vector or normal
   bool isGeometric() const;
   /// color, point, vector or normal
   bool isTriple() const { return isGeometric() || is(TypeKind::Color); }
   /// float, matrix or a triple: what arithmetic is for
   bool isNumeric() const { return isTriple() || is(TypeKind::Float) || is(TypeKind::Matrix); }
-  Type element() const { return {kind, varying, NoArray}; }
-  Type withVarying(bool is) const { return {kind, is, length}; }
+  Type element() const { return {kind, varying, NoArray, structure}; }
+  Type withVarying(bool is) const { return {kind, is, length, structure}; }
 };
 
 /// As written in RSL: `color`, `float[3]`.
