@@ -70,6 +70,11 @@ bool Camera::projection(std::string_view space, Matrix4 &matrix) const {
   return true;
 }
 
+double Camera::pixelsPerUnit(Vec3d place) const {
+  double pixels = description.width / std::fabs(window[1] - window[0]);
+  return description.perspective ? pixels / (scale * std::max(length(place), 1e-6)) : pixels;
+}
+
 void Camera::cropPixels(int &x0, int &x1, int &y0, int &y1) const {
   // The standard's rule, by which adjoining windows share no pixel and miss none.
   auto edge = [](double fraction, int size) {

@@ -31,6 +31,10 @@ public:
   /// The matrix from camera space to "screen", "NDC" or "raster"; false for another name.
   bool projection(std::string_view space, Matrix4 &matrix) const;
 
+  /// How many pixels across a unit of length is that stands at a place and is seen from in front,
+  /// wherever the place lies: also beside and behind the camera, for things seen in mirrors.
+  double pixelsPerUnit(Vec3d place) const;
+
   int width() const { return description.width; }
   int height() const { return description.height; }
   /// The part of the picture that is rendered, in pixels: [x0, x1) x [y0, y1).

@@ -55,7 +55,7 @@ std::string anysl::render::formatMessage(const Location &where, std::string_view
 }
 
 UserError::UserError(const Location &where, const std::string &message)
-    : std::runtime_error(formatMessage(where, "error", message)) {}
+    : std::runtime_error(formatMessage(where, "error", message)), where(where), message(message) {}
 
 void Warnings::warn(const Location &where, const std::string &message) {
   warnOnce(formatMessage(where, "warning", message), where, message);
@@ -64,4 +64,9 @@ void Warnings::warn(const Location &where, const std::string &message) {
 void Warnings::warnOnce(const std::string &key, const Location &where, const std::string &message) {
   if (shown.insert(key).second)
     std::fputs(formatMessage(where, "warning", message).c_str(), stderr);
+}
+
+bool Warnings::contains(std::string_view text) const {
+  return std::any_of(shown.begin(), shown.end(),
+                     [&](const std::string &each) { return each.find(text) != each.npos; });
 }

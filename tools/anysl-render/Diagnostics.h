@@ -42,6 +42,15 @@ class UserError : public std::runtime_error {
 public:
   explicit UserError(const std::string &message) : UserError(Location(), message) {}
   UserError(const Location &where, const std::string &message);
+
+  Location where;
+  std::string message; ///< what() without the place
+};
+
+/// A shape that cannot be made. It is left out with a warning, and the rest goes on.
+class ShapeError : public UserError {
+public:
+  using UserError::UserError;
 };
 
 /// Prints warnings to standard error, each text at most once.
@@ -51,6 +60,8 @@ public:
   /// As warn(), but only the first message with this key is printed.
   void warnOnce(const std::string &key, const Location &where, const std::string &message);
   size_t count() const { return shown.size(); }
+  /// Whether a warning with this in it has been given.
+  bool contains(std::string_view text) const;
 
 private:
   std::set<std::string> shown;

@@ -6,29 +6,16 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Geometry.h"
+#include "tools/anysl-render/QuadricSet.h"
+#include "tools/anysl-render/Tessellate.h"
 
 #include <anysl/abi.h>
 
 #include <algorithm>
-#include <limits>
 
 using namespace anysl::render;
 
 namespace {
-
-/// Component k of ray i of Embree's N rays is rays[k * N + i]; these are the k.
-enum RayComponent {
-  OriginX,
-  Near = 3,
-  DirectionX = 4,
-  Far = 8,
-  HitNormal = 12,
-  HitU = 15,
-  HitV,
-  HitPrimitive,
-  HitGeometry,
-  HitInstance
-};
 
 unsigned rayMask(const Appearance &appearance, bool opacityVaries) {
   unsigned mask = 0;
@@ -48,13 +35,30 @@ unsigned rayMask(const Appearance &appearance, bool opacityVaries) {
   return mask;
 }
 
+Vec3d triple(const SurfaceSet &set, const Variable &variable, const Hit &hit,
+             const SurfacePoint &point) {
+  float value[3];
+  set.interpolate(variable, hit, point, value);
+  return {value[0], value[1], value[2]};
+}
+
+/// Makes a normal one of unit length, and its derivatives those of that.
+void normalize(Vec3d &normal, Vec3d &byU, Vec3d &byV) {
+  double size = length(normal);
+  normal = normalized(normal);
+  for (Vec3d *derivative : {&byU, &byV})
+    if (size > 0)
+      *derivative = (*derivative - normal * dot(normal, *derivative)) * (1 / size);
+}
+
 void reportEmbreeError(void *, RTCError code, const char *message) {
   std::fprintf(stderr, "anysl-render: Embree: %s (error %d)\n", message, int(code));
 }
 
 } // namespace
 
-Geometry::Geometry(const SceneDescription &description, std::span<const uint32_t> groupOfShape) {
+Geometry::Geometry(const SceneDescription &description, const Camera &camera,
+                   std::span<const uint32_t> groupOfShape) {
   device = rtcNewDevice(nullptr);
   if (!device)
     throw UserError("Embree cannot start on this machine");
@@ -63,28 +67,30 @@ Geometry::Geometry(const SceneDescription &description, std::span<const uint32_t
   // Watertight edges, and distances good enough for the offsets of secondary rays.
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
 
-  std::vector<unsigned> meshMasks;
+  Dicing dicing(camera);
+  std::map<unsigned, std::unique_ptr<QuadricSet>> quadrics;
   for (uint32_t i = 0; i < description.shapes.size(); ++i) {
     const Shape &shape = description.shapes[i];
     const Appearance &appearance = description.appearances[shape.appearance];
-    Surface surface{i, groupOfShape[i], &appearance};
+    SurfaceOwner owner{i, groupOfShape[i], &appearance};
+    Placement placement(shape.objectToCamera, appearance);
+    unsigned mask = rayMask(appearance, findParameter(shape.variables, "Os") != nullptr);
     const auto *swept = std::get_if<QuadricShape>(&shape.geometry);
     if (swept && Quadric::isQuadric(*swept)) {
-      QuadricSet &set = quadricSets[rayMask(appearance, false)];
-      set.quadrics.emplace_back(*swept, shape.objectToCamera, appearance);
-      set.surfaces.push_back(surface);
-      continue;
+      auto &set = quadrics[mask];
+      if (!set)
+        set = std::make_unique<QuadricSet>();
+      set->add(*swept, shape.variables, placement, owner);
+    } else {
+      std::unique_ptr<Mesh> mesh =
+          swept ? tessellate(*swept, shape.variables, placement, dicing)
+                : tessellate(std::get<PolygonShape>(shape.geometry), shape.variables, placement);
+      mesh->itsOwner = owner;
+      attach(std::move(mesh), mask);
     }
-    Mesh mesh = swept ? Mesh::fromSweep(*swept, shape.objectToCamera, appearance)
-                      : Mesh::fromPolygons(std::get<PolygonShape>(shape.geometry),
-                                           shape.objectToCamera, appearance);
-    meshMasks.push_back(rayMask(appearance, mesh.hasOpacity()));
-    meshes.push_back(std::make_unique<MeshSurface>(MeshSurface{std::move(mesh), surface}));
   }
-  for (auto &[mask, set] : quadricSets)
-    addQuadrics(set, mask);
-  for (size_t i = 0; i < meshes.size(); ++i)
-    addMesh(*meshes[i], meshMasks[i]);
+  for (auto &[mask, set] : quadrics)
+    attach(std::move(set), mask);
   rtcCommitScene(scene);
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
     throw UserError("Embree cannot hold this scene");
@@ -95,114 +101,16 @@ Geometry::~Geometry() {
   rtcReleaseDevice(device);
 }
 
-void Geometry::attach(RTCGeometry geometry, unsigned mask, Entry entry) {
+void Geometry::attach(std::unique_ptr<SurfaceSet> set, unsigned mask) {
+  RTCGeometry geometry = set->make(device);
   rtcSetGeometryMask(geometry, mask);
   rtcCommitGeometry(geometry);
   unsigned id = rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
-  if (entries.size() <= id)
-    entries.resize(id + 1);
-  entries[id] = entry;
+  if (sets.size() <= id)
+    sets.resize(id + 1);
+  sets[id] = std::move(set);
   partialShadows |= (mask & PartialShadowRays) != 0;
-}
-
-//===-- Quadrics ------------------------------------------------------------//
-
-template <bool IsOccluded>
-void Geometry::intersectQuadrics(void *userData, unsigned primitive, unsigned geometry,
-                                 RTCIntersectContext *context, int *valid, float *rays,
-                                 unsigned count) {
-  const Quadric &quadric = static_cast<QuadricSet *>(userData)->quadrics[primitive];
-  constexpr unsigned most = 16;
-  double nearer[most], farther[most];
-  for (unsigned begin = 0; begin < count; begin += most) {
-    unsigned end = std::min(count, begin + most);
-    quadric.roots(rays + begin, count, end - begin, nearer, farther);
-    for (unsigned i = begin; i < end; ++i) {
-      auto component = [&](unsigned k) -> float & { return rays[k * count + i]; };
-      auto index = [&](unsigned k) -> unsigned & {
-        return reinterpret_cast<unsigned *>(rays)[k * count + i];
-      };
-      double t0 = nearer[i - begin], t1 = farther[i - begin];
-      // Written so that NaN fails.
-      if (!valid[i] || !(float(t1) > component(Near)) || !(float(t0) < component(Far)))
-        continue;
-      Vec3f origin(component(OriginX), component(OriginX + 1), component(OriginX + 2));
-      Vec3f direction(component(DirectionX), component(DirectionX + 1), component(DirectionX + 2));
-      double t = t0;
-      if (!(float(t0) > component(Near)) || !quadric.accepts(origin, direction, t0)) {
-        t = t1;
-        if (!(float(t1) < component(Far)) || !quadric.accepts(origin, direction, t1))
-          continue;
-      }
-      if constexpr (IsOccluded) {
-        component(Far) = -std::numeric_limits<float>::infinity();
-        continue;
-      }
-      component(Far) = float(t);
-      for (unsigned k = HitNormal; k < HitNormal + 3; ++k)
-        component(k) = 0; // computed by evaluate() for the one hit that stays
-      component(HitU) = component(HitV) = 0;
-      index(HitPrimitive) = primitive;
-      index(HitGeometry) = geometry;
-      index(HitInstance) = context->instID[0];
-    }
-  }
-}
-
-void Geometry::addQuadrics(QuadricSet &set, unsigned mask) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, unsigned(set.quadrics.size()));
-  rtcSetGeometryUserData(geometry, &set);
-  rtcSetGeometryBoundsFunction(
-      geometry,
-      [](const RTCBoundsFunctionArguments *arguments) {
-        const auto *set = static_cast<const QuadricSet *>(arguments->geometryUserPtr);
-        Vec3f lower, upper;
-        set->quadrics[arguments->primID].bounds(lower, upper);
-        RTCBounds &b = *arguments->bounds_o;
-        b.lower_x = lower.x, b.lower_y = lower.y, b.lower_z = lower.z;
-        b.upper_x = upper.x, b.upper_y = upper.y, b.upper_z = upper.z;
-      },
-      nullptr);
-  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments *a) {
-    intersectQuadrics<false>(a->geometryUserPtr, a->primID, a->geomID, a->context, a->valid,
-                             reinterpret_cast<float *>(a->rayhit), a->N);
-  });
-  rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments *a) {
-    intersectQuadrics<true>(a->geometryUserPtr, a->primID, a->geomID, a->context, a->valid,
-                            reinterpret_cast<float *>(a->ray), a->N);
-  });
-  attach(geometry, mask, {&set, nullptr});
-}
-
-//===-- Meshes --------------------------------------------------------------//
-
-void Geometry::addMesh(MeshSurface &surface, unsigned mask) {
-  Mesh &mesh = surface.mesh;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                             mesh.points.data(), 0, sizeof(Vec3f), mesh.points.size() - 1);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
-                             mesh.triangles.size());
-  if (mesh.oneSided) {
-    rtcSetGeometryUserData(geometry, &surface);
-    auto filter = [](const RTCFilterFunctionNArguments *a) {
-      const Mesh &mesh = static_cast<const MeshSurface *>(a->geometryUserPtr)->mesh;
-      for (unsigned i = 0; i < a->N; ++i) {
-        Vec3d ignored,
-            normal = mesh.evaluate(RTCHitN_primID(a->hit, a->N, i), 0, 0, false, ignored).normal;
-        Vec3d direction(RTCRayN_dir_x(a->ray, a->N, i), RTCRayN_dir_y(a->ray, a->N, i),
-                        RTCRayN_dir_z(a->ray, a->N, i));
-        if (a->valid[i] && dot(normal, direction) > 0)
-          a->valid[i] = 0;
-      }
-    };
-    rtcSetGeometryIntersectFilterFunction(geometry, filter);
-    rtcSetGeometryOccludedFilterFunction(geometry, filter);
-  }
-  attach(geometry, mask, {nullptr, &surface});
 }
 
 //===-- Rays ----------------------------------------------------------------//
@@ -261,63 +169,99 @@ ANYSL_RENDER_WIDTH(16)
 
 //===-- Hits ----------------------------------------------------------------//
 
-const Geometry::Surface &Geometry::surfaceOf(const Hit &hit) const {
-  const Entry &entry = entries[hit.geometry];
-  return entry.quadrics ? entry.quadrics->surfaces[hit.primitive] : entry.mesh->surface;
+uint32_t Geometry::groupOf(const Hit &hit) const {
+  return sets[hit.geometry]->owner(hit.primitive).group;
+}
+uint32_t Geometry::shapeOf(const Hit &hit) const {
+  return sets[hit.geometry]->owner(hit.primitive).shape;
 }
 
-uint32_t Geometry::groupOf(const Hit &hit) const { return surfaceOf(hit).group; }
-uint32_t Geometry::shapeOf(const Hit &hit) const { return surfaceOf(hit).shape; }
-
-Vec3d Geometry::opacityAt(const Hit &hit) const {
-  Vec3d opacity = surfaceOf(hit).appearance->opacity;
-  if (const MeshSurface *mesh = entries[hit.geometry].mesh)
-    mesh->mesh.opacity(hit.primitive, hit.u, hit.v, opacity);
+Vec3d Geometry::opacityAt(const Hit &hit, Vec3f origin, Vec3f direction) const {
+  const SurfaceSet &set = *sets[hit.geometry];
+  Vec3d opacity = set.owner(hit.primitive).appearance->opacity;
+  const SurfaceVariables &variables = set.variables(hit.primitive);
+  if (variables.opacity >= 0) {
+    SurfacePoint point;
+    set.evaluate(hit, origin, direction, {.parametric = true}, point);
+    opacity = triple(set, variables.list[size_t(variables.opacity)], hit, point);
+  }
   return opacity;
+}
+
+namespace {
+
+/// s and t where the shape has none of its own: those at the corners of the parameters' square.
+void cornerTexture(const std::array<double, 8> &st, SurfacePoint &point) {
+  double u = point.frame.u, v = point.frame.v;
+  auto between = [&](size_t k) {
+    return (1 - v) * ((1 - u) * st[k] + u * st[2 + k]) + v * ((1 - u) * st[4 + k] + u * st[6 + k]);
+  };
+  auto byU = [&](size_t k) { return (1 - v) * (st[2 + k] - st[k]) + v * (st[6 + k] - st[4 + k]); };
+  auto byV = [&](size_t k) { return (1 - u) * (st[4 + k] - st[k]) + u * (st[6 + k] - st[2 + k]); };
+  point.s = between(0), point.t = between(1);
+  point.dsdu = byU(0), point.dtdu = byU(1);
+  point.dsdv = byV(0), point.dtdv = byV(1);
+}
+
+} // namespace
+
+void Geometry::evaluateTexture(const Hit &hit, bool derivatives, SurfacePoint &point) const {
+  const SurfaceSet &set = *sets[hit.geometry];
+  if (set.hasUnitParameters()) {
+    cornerTexture(set.owner(hit.primitive).appearance->textureCoordinates, point);
+  } else { // a polygon's are its u and v
+    point.s = point.frame.u, point.t = point.frame.v;
+    point.dsdu = point.dtdv = 1;
+    point.dsdv = point.dtdu = 0;
+  }
+  const SurfaceVariables &variables = set.variables(hit.primitive);
+  auto replace = [&](int index, uint32_t component, double &value, double &byU, double &byV) {
+    if (index < 0)
+      return;
+    const Variable &variable = variables.list[size_t(index)];
+    float values[2];
+    set.interpolate(variable, hit, point, values);
+    value = values[component];
+    if (derivatives)
+      set.differentiate(variable, component, hit, point, byU, byV);
+  };
+  replace(variables.st, 0, point.s, point.dsdu, point.dsdv);
+  replace(variables.st, 1, point.t, point.dtdu, point.dtdv);
+  replace(variables.s, 0, point.s, point.dsdu, point.dsdv);
+  replace(variables.t, 0, point.t, point.dtdu, point.dtdv);
 }
 
 void Geometry::evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t needed,
                         SurfacePoint &point) const {
-  const Entry &entry = entries[hit.geometry];
-  const Appearance &appearance = *surfaceOf(hit).appearance;
+  constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
+  const SurfaceSet &set = *sets[hit.geometry];
+  const Appearance &appearance = *set.owner(hit.primitive).appearance;
+  const SurfaceVariables &variables = set.variables(hit.primitive);
   point.color = appearance.color;
   point.opacity = appearance.opacity;
-  double magnitude = 0;
-  constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
-  constexpr uint64_t texture = bits(ANYSL_s, ANYSL_t);
-  bool parametric = (needed & (texture | bits(ANYSL_u, ANYSL_v, ANYSL_dPdu, ANYSL_dPdv))) != 0;
-  if (entry.quadrics) {
-    const Quadric &quadric = entry.quadrics->quadrics[hit.primitive];
-    point.frame = quadric.evaluate(origin, direction, hit.t, parametric);
-    point.frame.normal = point.normal = normalized(point.frame.normal);
-  } else {
-    const Mesh &mesh = entry.mesh->mesh;
-    point.frame = mesh.evaluate(hit.primitive, hit.u, hit.v, parametric, point.normal);
-    point.frame.normal = normalized(point.frame.normal);
-    point.normal = normalized(point.normal);
-    magnitude = mesh.magnitude(hit.primitive);
-    // Along the shading normal, so that it tells on which side of the smooth surface a ray goes.
-    point.lift = point.normal * length(mesh.lift(hit.primitive, hit.u, hit.v, point.frame.P));
-  }
-  if (needed & texture) {
-    double u = point.frame.u, v = point.frame.v;
-    const auto &st = appearance.textureCoordinates;
-    bool quadric = entry.quadrics != nullptr;
-    // The corners are those of a quadric; a polygon's default is its u and v.
-    point.s =
-        quadric ? (1 - v) * ((1 - u) * st[0] + u * st[2]) + v * ((1 - u) * st[4] + u * st[6]) : u;
-    point.t =
-        quadric ? (1 - v) * ((1 - u) * st[1] + u * st[3]) + v * ((1 - u) * st[5] + u * st[7]) : v;
-  }
-  if (entry.mesh) {
-    const Mesh &mesh = entry.mesh->mesh;
-    mesh.texture(hit.primitive, hit.u, hit.v, point.s, point.t);
-    mesh.color(hit.primitive, hit.u, hit.v, point.color);
-    mesh.opacity(hit.primitive, hit.u, hit.v, point.opacity);
-  }
+  SurfaceNeeds needs;
+  needs.texture = (needed & bits(ANYSL_s, ANYSL_t)) != 0;
+  needs.derivatives = (needed & derivativesBit) != 0;
+  needs.parametric = needs.texture || needs.derivatives || !variables.list.empty() ||
+                     (needed & bits(ANYSL_u, ANYSL_v, ANYSL_dPdu, ANYSL_dPdv)) != 0;
+  set.evaluate(hit, origin, direction, needs, point);
+  point.frame.normal = normalized(point.frame.normal);
+  normalize(point.normal, point.dNdu, point.dNdv);
+  if (needs.texture || needs.derivatives)
+    evaluateTexture(hit, needs.derivatives, point);
+  if (variables.color >= 0)
+    point.color = triple(set, variables.list[size_t(variables.color)], hit, point);
+  if (variables.opacity >= 0)
+    point.opacity = triple(set, variables.list[size_t(variables.opacity)], hit, point);
   // P is rounded by half an ulp of each of its coordinates, and Embree computes with the corners of
   // a triangle relative to the ray's origin. 32 ulps leave room for the rounding of the ray's
   // start.
-  magnitude = std::max({magnitude, maxAbs(point.frame.P), 1e-30});
+  double magnitude = std::max({double(point.offset), maxAbs(point.frame.P), 1e-30});
   point.offset = float(magnitude * 0x1p-18);
+}
+
+void Geometry::variable(const Hit &hit, const SurfacePoint &point, uint32_t index,
+                        float *value) const {
+  const SurfaceSet &set = *sets[hit.geometry];
+  set.interpolate(set.variables(hit.primitive).list[index], hit, point, value);
 }

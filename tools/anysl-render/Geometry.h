@@ -9,9 +9,7 @@
 #define ANYSL_RENDER_GEOMETRY_H
 
 #include "tools/anysl-render/Camera.h"
-#include "tools/anysl-render/Mesh.h"
-
-#include <embree3/rtcore.h>
+#include "tools/anysl-render/Surface.h"
 
 #include <memory>
 #include <span>
@@ -26,22 +24,8 @@ enum RayMask : unsigned {
   PartialShadowRays = 8, ///< surfaces that stop a part of it
 };
 
-/// Where a ray met a surface.
-struct Hit {
-  float t = 0, u = 0, v = 0;
-  uint32_t geometry = RTC_INVALID_GEOMETRY_ID, primitive = 0;
-  bool isHit() const { return geometry != RTC_INVALID_GEOMETRY_ID; }
-};
-
-/// What a shader may ask about a hit, in camera space.
-struct SurfacePoint {
-  SurfaceFrame frame; ///< frame.normal is the geometric normal, of unit length
-  Vec3d normal;       ///< the shading normal, of unit length
-  double s = 0, t = 0;
-  Vec3d color, opacity;
-  float offset = 0; ///< how far a ray has to start off the surface not to meet it again
-  Vec3d lift;       ///< from a facet to the smooth surface that it stands for
-};
+/// The bit of Geometry::evaluate()'s `needed` that asks for the derivatives of N, s and t.
+constexpr uint64_t derivativesBit = uint64_t(1) << 63;
 
 /// W rays at once in Embree's layout; one ray for W = 1.
 template <unsigned W>
@@ -71,7 +55,8 @@ struct RayPacketType<16> {
 class Geometry {
 public:
   /// `groupOfShape` says for each shape of the description which group its hits belong to.
-  Geometry(const SceneDescription &description, std::span<const uint32_t> groupOfShape);
+  Geometry(const SceneDescription &description, const Camera &camera,
+           std::span<const uint32_t> groupOfShape);
   ~Geometry();
   Geometry(const Geometry &) = delete;
   Geometry &operator=(const Geometry &) = delete;
@@ -91,46 +76,27 @@ public:
   uint32_t groupOf(const Hit &hit) const;
   /// The shape that was hit: an index into the description.
   uint32_t shapeOf(const Hit &hit) const;
-  /// Fills in what the bits of `needed` (1 << ANYSL_P ...) ask for; P, Ng and offset always.
+  /// Fills in what the bits of `needed` (1 << ANYSL_P ..., derivativesBit) ask for; P, Ng and
+  /// offset always.
   void evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t needed,
                 SurfacePoint &point) const;
   /// The opacity at a hit, as a shadow ray asks for it.
-  Vec3d opacityAt(const Hit &hit) const;
+  Vec3d opacityAt(const Hit &hit, Vec3f origin, Vec3f direction) const;
+  /// The variables of the shape that was hit.
+  const SurfaceVariables &variablesOf(const Hit &hit) const {
+    return sets[hit.geometry]->variables(hit.primitive);
+  }
+  /// The value of one of them at a hit that was evaluated.
+  void variable(const Hit &hit, const SurfacePoint &point, uint32_t index, float *value) const;
 
 private:
-  struct Surface {
-    uint32_t shape, group;
-    const Appearance *appearance;
-  };
-  /// The quadrics that the same kinds of ray see: one geometry of Embree's.
-  struct QuadricSet {
-    std::vector<Quadric> quadrics;
-    std::vector<Surface> surfaces;
-  };
-  struct MeshSurface {
-    Mesh mesh;
-    Surface surface;
-  };
-  struct Entry {
-    const QuadricSet *quadrics = nullptr; ///< one of these two
-    const MeshSurface *mesh = nullptr;
-  };
-
-  const Surface &surfaceOf(const Hit &hit) const;
-  void addQuadrics(QuadricSet &set, unsigned mask);
-  void addMesh(MeshSurface &mesh, unsigned mask);
-  void attach(RTCGeometry geometry, unsigned mask, Entry entry);
-  template <bool IsOccluded>
-  static void intersectQuadrics(void *userData, unsigned primitive, unsigned geometry,
-                                RTCIntersectContext *context, int *valid, float *rays,
-                                unsigned count);
+  void attach(std::unique_ptr<SurfaceSet> set, unsigned mask);
+  void evaluateTexture(const Hit &hit, bool derivatives, SurfacePoint &point) const;
 
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   bool partialShadows = false;
-  std::map<unsigned, QuadricSet> quadricSets; ///< by ray mask
-  std::vector<std::unique_ptr<MeshSurface>> meshes;
-  std::vector<Entry> entries; ///< by Embree's geometry number
+  std::vector<std::unique_ptr<SurfaceSet>> sets; ///< by Embree's geometry number
 };
 
 } // namespace anysl::render

@@ -8,190 +8,171 @@
 #include "tools/anysl-render/Mesh.h"
 
 #include <algorithm>
-#include <numbers>
 
 using namespace anysl::render;
 
 namespace {
 
-std::vector<Vec3d> triples(const Parameter *parameter) {
-  std::vector<Vec3d> result;
-  if (parameter)
-    for (size_t i = 0; i + 2 < parameter->numbers.size(); i += 3)
-      result.emplace_back(parameter->numbers[i], parameter->numbers[i + 1],
-                          parameter->numbers[i + 2]);
-  return result;
-}
-
-/// Whether a matrix mirrors: then the order of a polygon's vertices turns round.
-bool mirrors(const Matrix4 &m) {
-  return dot(cross(m.vector({1, 0, 0}), m.vector({0, 1, 0})), m.vector({0, 0, 1})) < 0;
+/// Solves d = x toU + y toV for the derivatives of something whose changes along two edges of a
+/// triangle are b and c, where u and v change by `toB` and `toC`.
+template <typename T>
+void solve(Vec3d toB, Vec3d toC, T b, T c, T &byU, T &byV) {
+  double scale = 1 / (toB.x * toC.y - toC.x * toB.y);
+  byU = (b * toC.y - c * toB.y) * scale;
+  byV = (c * toB.x - b * toC.x) * scale;
 }
 
 } // namespace
 
-Mesh Mesh::fromPolygons(const PolygonShape &shape, const Matrix4 &objectToCamera,
-                        const Appearance &appearance) {
-  Mesh mesh;
-  mesh.toCamera = objectToCamera;
-  mesh.toObject = objectToCamera.inverse();
-  mesh.oneSided = appearance.sides == 1;
-  mesh.normalSign = mirrors(objectToCamera) != appearance.reverseOrientation ? -1 : 1;
-  mesh.points.reserve(shape.points.size() + 1);
-  for (const Vec3d &p : shape.points)
-    mesh.points.push_back(Vec3f(objectToCamera.point(p)));
-  mesh.points.emplace_back();
-
-  size_t begin = 0;
-  for (uint32_t count : shape.vertexCounts) {
-    for (uint32_t i = 2; i < count; ++i)
-      mesh.triangles.push_back(
-          {shape.vertices[begin], shape.vertices[begin + i - 1], shape.vertices[begin + i]});
-    begin += count;
-  }
-
-  mesh.colors = triples(findParameter(shape.parameters, "Cs"));
-  mesh.opacities = triples(findParameter(shape.parameters, "Os"));
-  mesh.normals = triples(findParameter(shape.parameters, "N"));
-  for (Vec3d &normal : mesh.normals)
-    normal = normalized(mesh.toObject.normalByInverse(normal)) *
-             (appearance.reverseOrientation ? -1.0 : 1.0);
-  const Parameter *st = findParameter(shape.parameters, "st");
-  const Parameter *s = findParameter(shape.parameters, "s"),
-                  *t = findParameter(shape.parameters, "t");
-  for (size_t i = 0; i < shape.points.size() && (st || s || t); ++i) {
-    Vec3d value(shape.points[i].x, shape.points[i].y, 0);
-    if (st)
-      value = {st->numbers[2 * i], st->numbers[2 * i + 1], 0};
-    if (s)
-      value.x = s->numbers[i];
-    if (t)
-      value.y = t->numbers[i];
-    mesh.textures.push_back(value);
-  }
-  return mesh;
+RTCGeometry Mesh::make(RTCDevice device) {
+  points.emplace_back(); // Embree may read past the end
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, points.data(),
+                             0, sizeof(Vec3f), points.size() - 1);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
+                             0, sizeof(triangles[0]), triangles.size());
+  if (!placement.oneSided)
+    return geometry;
+  rtcSetGeometryUserData(geometry, this);
+  auto filter = [](const RTCFilterFunctionNArguments *a) {
+    const auto &mesh = *static_cast<const Mesh *>(a->geometryUserPtr);
+    for (unsigned i = 0; i < a->N; ++i) {
+      const auto &corner = mesh.triangles[RTCHitN_primID(a->hit, a->N, i)];
+      Vec3d p(mesh.points[corner[0]]);
+      Vec3d normal = cross(Vec3d(mesh.points[corner[1]]) - p, Vec3d(mesh.points[corner[2]]) - p);
+      Vec3d direction(RTCRayN_dir_x(a->ray, a->N, i), RTCRayN_dir_y(a->ray, a->N, i),
+                      RTCRayN_dir_z(a->ray, a->N, i));
+      if (a->valid[i] && dot(normal, direction) * mesh.placement.normalSign > 0)
+        a->valid[i] = 0;
+    }
+  };
+  rtcSetGeometryIntersectFilterFunction(geometry, filter);
+  rtcSetGeometryOccludedFilterFunction(geometry, filter);
+  return geometry;
 }
 
-Mesh Mesh::fromSweep(const QuadricShape &shape, const Matrix4 &objectToCamera,
-                     const Appearance &appearance) {
-  constexpr uint32_t columns = 192, rows = 96;
-  const double degrees = std::numbers::pi / 180;
-  Mesh mesh;
-  mesh.toCamera = objectToCamera;
-  mesh.toObject = objectToCamera.inverse();
-  mesh.oneSided = appearance.sides == 1;
-  mesh.planar = false;
-  mesh.normalSign = mirrors(objectToCamera) != appearance.reverseOrientation ? -1 : 1;
-  for (uint32_t row = 0; row <= rows; ++row) {
-    for (uint32_t column = 0; column <= columns; ++column) {
-      double u = double(column) / columns, v = double(row) / rows;
-      double theta = u * shape.thetaMax * degrees, cosine = std::cos(theta), sine = std::sin(theta);
-      Vec3d profile, tangent; // in the plane y = 0, before the sweep
-      if (shape.kind == QuadricShape::Torus) {
-        double range = (shape.phiMax - shape.phiMin) * degrees;
-        double phi = shape.phiMin * degrees + v * range;
-        profile = {shape.radius + shape.minorRadius * std::cos(phi), 0,
-                   shape.minorRadius * std::sin(phi)};
-        tangent = Vec3d(-std::sin(phi), 0, std::cos(phi)) * (shape.minorRadius * range);
-      } else {
-        profile = lerp(shape.point1, shape.point2, v);
-        tangent = shape.point2 - shape.point1;
-      }
-      auto sweep = [&](Vec3d p) {
-        return Vec3d(p.x * cosine - p.y * sine, p.x * sine + p.y * cosine, p.z);
-      };
-      Vec3d p = sweep(profile), dPdv = sweep(tangent);
-      Vec3d dPdu = Vec3d(-p.y, p.x, 0) * (shape.thetaMax * degrees);
-      Vec3d normal = normalized(cross(dPdu, dPdv));
-      mesh.points.push_back(Vec3f(objectToCamera.point(p)));
-      mesh.normals.push_back(normalized(mesh.toObject.normalByInverse(normal)) *
-                             (appearance.reverseOrientation ? -1.0 : 1.0));
-      mesh.parameters.emplace_back(u, v, 0);
-    }
+size_t Mesh::index(Domain domain, uint32_t triangle, size_t corner) const {
+  switch (domain) {
+  case Domain::Constant:
+    return 0;
+  case Domain::Face:
+    return faces.empty() ? 0 : faces[triangle];
+  case Domain::Point:
+    return triangles[triangle][corner];
+  case Domain::Corner:
+    return (corners.empty() ? triangles : corners)[triangle][corner];
   }
-  for (uint32_t row = 0; row < rows; ++row)
-    for (uint32_t column = 0; column < columns; ++column) {
-      uint32_t corner = row * (columns + 1) + column, above = corner + columns + 1;
-      mesh.triangles.push_back({corner, corner + 1, above + 1});
-      mesh.triangles.push_back({corner, above + 1, above});
-    }
-  mesh.points.emplace_back();
-  return mesh;
+  return 0;
 }
 
-SurfaceFrame Mesh::evaluate(uint32_t triangle, float u, float v, bool parametric,
-                            Vec3d &shadingNormal) const {
+Vec3d Mesh::normalAt(uint32_t triangle, size_t corner) const {
+  const float *n = normals.at(index(normals.domain, triangle, corner));
+  return {n[0], n[1], n[2]};
+}
+
+bool Mesh::parameterEdges(uint32_t triangle, Vec3d &toB, Vec3d &toC) const {
+  Vec3d at[3];
+  for (size_t i = 0; i < 3; ++i) {
+    if (parameters.empty()) {
+      at[i] = placement.toObject.affinePoint(Vec3d(points[triangles[triangle][i]]));
+      at[i].z = 0;
+    } else {
+      const auto &uv = parameters[index(Domain::Corner, triangle, i)];
+      at[i] = {uv[0], uv[1], 0};
+    }
+  }
+  toB = at[1] - at[0];
+  toC = at[2] - at[0];
+  double determinant = toB.x * toC.y - toC.x * toB.y;
+  return std::fabs(determinant) >
+         1e-9 * std::max(maxAbs(toB), 1e-30) * std::max(maxAbs(toC), 1e-30);
+}
+
+void Mesh::planarFrame(uint32_t triangle, SurfaceFrame &frame) const {
+  Vec3d p = placement.toObject.affinePoint(frame.P);
+  frame.u = p.x;
+  frame.v = p.y;
+  // Along x and y of object space within the plane; where it stands on edge, any two directions.
+  Vec3d n = placement.toCamera.normalByInverse(frame.normal);
+  if (std::fabs(n.z) > 1e-6 * maxAbs(n)) {
+    frame.dPdu = placement.toCamera.vector({1, 0, -n.x / n.z});
+    frame.dPdv = placement.toCamera.vector({0, 1, -n.y / n.z});
+  } else {
+    const auto &corner = triangles[triangle];
+    frame.dPdu = normalized(Vec3d(points[corner[1]]) - Vec3d(points[corner[0]]));
+    frame.dPdv = normalized(cross(frame.normal, frame.dPdu));
+  }
+}
+
+void Mesh::evaluate(const Hit &hit, Vec3f, Vec3f, const SurfaceNeeds &needs,
+                    SurfacePoint &point) const {
+  uint32_t triangle = hit.primitive;
   const auto &corner = triangles[triangle];
   Vec3d p0(points[corner[0]]), p1(points[corner[1]]), p2(points[corner[2]]);
-  SurfaceFrame frame;
-  frame.P = p0 * (1.0 - u - v) + p1 * double(u) + p2 * double(v);
-  frame.normal = cross(p1 - p0, p2 - p0) * normalSign;
-  shadingNormal = normals.empty() ? frame.normal : interpolate(normals, triangle, u, v);
-  if (!parametric)
-    return frame;
-  if (planar) {
-    Vec3d p = toObject.affinePoint(frame.P);
-    frame.u = p.x;
-    frame.v = p.y;
-    // Along x and y of object space within the plane; where it stands on edge, any two directions.
-    Vec3d n = toCamera.normalByInverse(frame.normal);
-    if (std::fabs(n.z) > 1e-6 * maxAbs(n)) {
-      frame.dPdu = toCamera.vector({1, 0, -n.x / n.z});
-      frame.dPdv = toCamera.vector({0, 1, -n.y / n.z});
-    } else {
-      frame.dPdu = normalized(p1 - p0);
-      frame.dPdv = normalized(cross(frame.normal, frame.dPdu));
-    }
-  } else {
-    Vec3d a = parameters[corner[0]], b = parameters[corner[1]], c = parameters[corner[2]];
-    Vec3d uv = a * (1.0 - u - v) + b * double(u) + c * double(v);
-    frame.u = uv.x;
-    frame.v = uv.y;
-    // Solve P(u, v) = p0 + dPdu (u - a.x) + dPdv (v - a.y) at the two other corners.
-    Vec3d e1 = b - a, e2 = c - a, d1 = p1 - p0, d2 = p2 - p0;
-    double determinant = e1.x * e2.y - e2.x * e1.y;
-    frame.dPdu = (d1 * e2.y - d2 * e1.y) * (1 / determinant);
-    frame.dPdv = (d2 * e1.x - d1 * e2.x) * (1 / determinant);
+  double wa = 1.0 - hit.u - hit.v, wb = hit.u, wc = hit.v;
+  SurfaceFrame &frame = point.frame;
+  frame.P = p0 * wa + p1 * wb + p2 * wc;
+  frame.normal = cross(p1 - p0, p2 - p0) * placement.normalSign;
+  point.normal = frame.normal;
+  point.offset = float(std::max({maxAbs(p0), maxAbs(p1), maxAbs(p2)}));
+  bool smooth = !normals.values.empty();
+  if (smooth) {
+    Vec3d a = normalAt(triangle, 0), b = normalAt(triangle, 1), c = normalAt(triangle, 2);
+    Vec3d mean = a * wa + b * wb + c * wc;
+    if (mean == Vec3d())
+      mean = frame.normal;
+    point.normal = mean;
+    // Along the shading normal, so that it tells on which side of the smooth surface a ray goes.
+    point.lift = normalized(mean) * length(lift(triangle, hit.u, hit.v, frame.P));
+    Vec3d toB, toC;
+    if (needs.derivatives && parameterEdges(triangle, toB, toC))
+      solve(toB, toC, b - a, c - a, point.dNdu, point.dNdv);
   }
-  return frame;
-}
-
-void Mesh::color(uint32_t triangle, float u, float v, Vec3d &result) const {
-  if (!colors.empty())
-    result = interpolate(colors, triangle, u, v);
-}
-
-void Mesh::opacity(uint32_t triangle, float u, float v, Vec3d &result) const {
-  if (!opacities.empty())
-    result = interpolate(opacities, triangle, u, v);
-}
-
-void Mesh::texture(uint32_t triangle, float u, float v, double &s, double &t) const {
-  if (textures.empty())
+  if (!needs.parametric)
     return;
-  Vec3d st = interpolate(textures, triangle, u, v);
-  s = st.x;
-  t = st.y;
+  if (parameters.empty())
+    return planarFrame(triangle, frame);
+  size_t a = index(Domain::Corner, triangle, 0), b = index(Domain::Corner, triangle, 1),
+         c = index(Domain::Corner, triangle, 2);
+  frame.u = parameters[a][0] * wa + parameters[b][0] * wb + parameters[c][0] * wc;
+  frame.v = parameters[a][1] * wa + parameters[b][1] * wb + parameters[c][1] * wc;
+  frame.dPdu = Vec3d(dPdu[a]) * wa + Vec3d(dPdu[b]) * wb + Vec3d(dPdu[c]) * wc;
+  frame.dPdv = Vec3d(dPdv[a]) * wa + Vec3d(dPdv[b]) * wb + Vec3d(dPdv[c]) * wc;
 }
 
-Vec3d Mesh::lift(uint32_t triangle, float u, float v, Vec3d P) const {
+Vec3d Mesh::atCorners(const Variable &variable, uint32_t component, uint32_t triangle) const {
   Vec3d result;
-  if (normals.empty())
-    return result;
-  // Each corner's tangent plane, as far as it lies above P, weighted as the corner is.
-  const auto &corner = triangles[triangle];
-  const double weights[3] = {1.0 - u - v, u, v};
-  for (size_t i = 0; i < 3; ++i) {
-    Vec3d normal = normals[corner[i]];
-    double height = dot(P - Vec3d(points[corner[i]]), normal);
-    result += normal * (weights[i] * std::max(0.0, -height));
-  }
+  for (size_t i = 0; i < 3; ++i)
+    result[int(i)] = variable.at(index(variable.domain, triangle, i))[component];
   return result;
 }
 
-double Mesh::magnitude(uint32_t triangle) const {
-  double result = 0;
-  for (uint32_t corner : triangles[triangle])
-    result = std::max(result, double(maxAbs(points[corner])));
+void Mesh::interpolate(const Variable &variable, const Hit &hit, const SurfacePoint &,
+                       float *value) const {
+  Vec3d weights(1.0 - hit.u - hit.v, hit.u, hit.v);
+  for (uint32_t k = 0; k < variable.components; ++k)
+    value[k] = float(dot(weights, atCorners(variable, k, hit.primitive)));
+}
+
+void Mesh::differentiate(const Variable &variable, uint32_t component, const Hit &hit,
+                         const SurfacePoint &, double &byU, double &byV) const {
+  Vec3d toB, toC, at = atCorners(variable, component, hit.primitive);
+  if (parameterEdges(hit.primitive, toB, toC))
+    solve(toB, toC, at.y - at.x, at.z - at.x, byU, byV);
+}
+
+/// The way from a point P of a triangle to the smooth surface that the normals at its corners tell
+/// of; zero where the surface is hollow there. Shadow rays that start there instead are not stopped
+/// by the neighbouring facets (after Hanika, Hacking the Shadow Terminator, Ray Tracing Gems II,
+/// chapter 4).
+Vec3d Mesh::lift(uint32_t triangle, float u, float v, Vec3d P) const {
+  Vec3d result;
+  // Each corner's tangent plane, as far as it lies above P, weighted as the corner is.
+  const double weights[3] = {1.0 - u - v, u, v};
+  for (size_t i = 0; i < 3; ++i) {
+    Vec3d normal = normalAt(triangle, i);
+    double height = dot(P - Vec3d(points[triangles[triangle][i]]), normal);
+    result += normal * (weights[i] * std::max(0.0, -height));
+  }
   return result;
 }

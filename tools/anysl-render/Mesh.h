@@ -8,54 +8,52 @@
 #ifndef ANYSL_RENDER_MESH_H
 #define ANYSL_RENDER_MESH_H
 
-#include "tools/anysl-render/Quadric.h"
+#include "tools/anysl-render/Surface.h"
 
 namespace anysl::render {
 
-/// Triangles in camera space with values at their corners.
-class Mesh {
+/// Triangles in camera space with values at their corners: polygons as they are given, or the fine
+/// facets of a smooth surface. Facets that meet share points, so that no ray slips between them;
+/// where something else than the place differs from one side to the other, such as a normal at a
+/// crease or a texture coordinate at a seam, they have corners of their own at a shared point.
+class Mesh : public SurfaceSet {
 public:
-  /// Cuts polygons into triangles; they must be convex, as the standard says they are.
-  static Mesh fromPolygons(const PolygonShape &shape, const Matrix4 &objectToCamera,
-                           const Appearance &appearance);
-  /// A swept surface that is no quadric, as a fine grid with smooth normals.
-  static Mesh fromSweep(const QuadricShape &shape, const Matrix4 &objectToCamera,
-                        const Appearance &appearance);
+  explicit Mesh(const Placement &placement) : placement(placement) {}
 
-  /// The surface at the barycentric coordinates (u, v) of a triangle, as Embree counts them. The
-  /// frame's normal is the geometric one; `shadingNormal` is interpolated where the mesh has
-  /// normals. Parameters and derivatives are computed only if asked for.
-  SurfaceFrame evaluate(uint32_t triangle, float u, float v, bool parametric,
-                        Vec3d &shadingNormal) const;
-  /// Values at the corners, if the mesh has them; otherwise they leave `result` alone.
-  void color(uint32_t triangle, float u, float v, Vec3d &result) const;
-  void opacity(uint32_t triangle, float u, float v, Vec3d &result) const;
-  void texture(uint32_t triangle, float u, float v, double &s, double &t) const;
-  /// The way from a point P of a triangle to the smooth surface that the normals at its corners
-  /// tell of; zero where the mesh has none or the surface is hollow there. Shadow rays that start
-  /// there instead are not stopped by the neighbouring facets (after Hanika, Hacking the Shadow
-  /// Terminator, Ray Tracing Gems II, chapter 4).
-  Vec3d lift(uint32_t triangle, float u, float v, Vec3d P) const;
-  /// The size of the numbers that a hit on the triangle was computed from.
-  double magnitude(uint32_t triangle) const;
+  RTCGeometry make(RTCDevice device) override;
+  const SurfaceOwner &owner(uint32_t) const override { return itsOwner; }
+  const SurfaceVariables &variables(uint32_t) const override { return values; }
+  bool hasUnitParameters() const override { return !parameters.empty(); }
+  void evaluate(const Hit &hit, Vec3f origin, Vec3f direction, const SurfaceNeeds &needs,
+                SurfacePoint &point) const override;
+  void interpolate(const Variable &variable, const Hit &hit, const SurfacePoint &point,
+                   float *value) const override;
+  void differentiate(const Variable &variable, uint32_t component, const Hit &hit,
+                     const SurfacePoint &point, double &byU, double &byV) const override;
 
-  std::vector<Vec3f> points; ///< Embree reads these two; one more point is
-                             ///< there, since it may read past the end
-  std::vector<std::array<uint32_t, 3>> triangles;
-  bool hasOpacity() const { return !opacities.empty(); }
-  bool oneSided = false;
+  /// Adds a triangle of points that are at the same time its corners.
+  void addTriangle(uint32_t a, uint32_t b, uint32_t c) { triangles.push_back({a, b, c}); }
+
+  Placement placement;
+  SurfaceOwner itsOwner;
+  std::vector<Vec3f> points;
+  std::vector<std::array<uint32_t, 3>> triangles; ///< indices into points
+  std::vector<std::array<uint32_t, 3>> corners;   ///< of each triangle; empty: as `triangles`
+  std::vector<uint32_t> faces;                    ///< of each triangle; empty: all the same
+  Variable normals;                               ///< shading normals; no values: none
+  std::vector<std::array<float, 2>> parameters; ///< u and v by corner; none: x and y of the object
+  std::vector<Vec3f> dPdu, dPdv;                ///< by corner, if there are parameters
+  SurfaceVariables values;
 
 private:
-  template <typename T>
-  T interpolate(const std::vector<T> &values, uint32_t triangle, double u, double v) const {
-    const auto &corner = triangles[triangle];
-    return values[corner[0]] * (1 - u - v) + values[corner[1]] * u + values[corner[2]] * v;
-  }
-
-  Matrix4 toCamera, toObject;
-  double normalSign = 1;
-  bool planar = true; ///< u and v are x and y in object space; otherwise given at the corners
-  std::vector<Vec3d> normals, colors, opacities, textures, parameters;
+  /// The three values of a variable's component at a triangle's corners.
+  Vec3d atCorners(const Variable &variable, uint32_t component, uint32_t triangle) const;
+  size_t index(Domain domain, uint32_t triangle, size_t corner) const;
+  Vec3d normalAt(uint32_t triangle, size_t corner) const;
+  Vec3d lift(uint32_t triangle, float u, float v, Vec3d P) const;
+  /// Derivatives by u and v of something that runs linearly over a triangle.
+  bool parameterEdges(uint32_t triangle, Vec3d &toB, Vec3d &toC) const;
+  void planarFrame(uint32_t triangle, SurfaceFrame &frame) const;
 };
 
 } // namespace anysl::render

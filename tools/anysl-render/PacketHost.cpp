@@ -346,7 +346,8 @@ void PacketHostBase::transmission(ThreadState &state, RayList &rays, Vec3f *pass
       if (!hit.isHit())
         continue;
       uint32_t target = rest.target[i];
-      passing[target] *= Vec3f(Vec3d(1) - geometry.opacityAt(hit));
+      passing[target] *=
+          Vec3f(Vec3d(1) - geometry.opacityAt(hit, rest.originOf(i), rest.directionOf(i)));
       Ray ray{rest.originOf(i), rest.directionOf(i), afterHit(hit.t), rest.far[i], 0};
       // In place: no later ray has been overwritten, since as many have been read as are kept.
       std::swap(rest.count, kept);

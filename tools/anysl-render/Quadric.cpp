@@ -302,3 +302,13 @@ SurfaceFrame Quadric::evaluate(Vec3f origin, Vec3f direction, double t, bool par
   frame.normal = toObject.normalByInverse(normal);
   return frame;
 }
+
+void Quadric::normalDerivatives(const SurfaceFrame &frame, Vec3d &byU, Vec3d &byV) const {
+  double sign = reverse ? -normalSign : normalSign;
+  auto derive = [&](Vec3d dP) {
+    dP = toObject.vector(dP);
+    return toObject.normalByInverse(Vec3d(2 * a * dP.x, 2 * a * dP.y, 2 * b * dP.z) * sign);
+  };
+  byU = derive(frame.dPdu);
+  byV = derive(frame.dPdv);
+}

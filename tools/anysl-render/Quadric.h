@@ -8,15 +8,9 @@
 #ifndef ANYSL_RENDER_QUADRIC_H
 #define ANYSL_RENDER_QUADRIC_H
 
-#include "tools/anysl-render/SceneDescription.h"
+#include "tools/anysl-render/Surface.h"
 
 namespace anysl::render {
-
-/// Position, normal and derivatives at a point of a surface; the normal is not of unit length.
-struct SurfaceFrame {
-  Vec3d P, normal, dPdu, dPdv;
-  double u = 0, v = 0;
-};
 
 /// A quadric swept about z: the points of A (x² + y²) + B z² + C z + D = 0 within limits of z (or
 /// of the radius, for a disk) and of the sweep. All kinds share one intersection and one
@@ -47,6 +41,9 @@ public:
   /// The surface at the hit at distance t, moved onto the surface exactly. Parameters and
   /// derivatives are computed only if asked for.
   SurfaceFrame evaluate(Vec3f origin, Vec3f direction, double t, bool parametric = true) const;
+
+  /// The derivatives of evaluate()'s normal by u and v.
+  void normalDerivatives(const SurfaceFrame &frame, Vec3d &byU, Vec3d &byV) const;
 
 private:
   Vec3d refine(Vec3d p) const;

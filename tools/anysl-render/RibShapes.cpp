@@ -11,29 +11,26 @@
 
 using namespace anysl::render;
 
-void RibState::addShape(std::variant<QuadricShape, PolygonShape> geometry,
-                        RibArguments &arguments) {
+void RibState::addShape(ShapeGeometry geometry, ParameterList variables,
+                        const VariableCounts &counts, RibArguments &arguments) {
   if (!inWorld())
     throw UserError(arguments.where(), "a shape outside WorldBegin ... WorldEnd");
+  checkVariables(variables, counts, warnings);
   if (scene.appearances.empty() || !(scene.appearances.back() == state.appearance))
     scene.appearances.push_back(state.appearance);
   Matrix4 test = state.transform;
-  if (!test.invert()) {
-    warnings.warn(arguments.where(), "the transformation makes this shape flat; it is left out");
-    return;
-  }
-  scene.shapes.push_back({std::move(geometry), state.transform,
+  if (!test.invert())
+    throw ShapeError(arguments.where(), "the transformation makes this shape flat");
+  scene.shapes.push_back({std::move(geometry), std::move(variables), state.transform,
                           uint32_t(scene.appearances.size() - 1), arguments.where()});
 }
 
 void RibState::addQuadric(QuadricShape shape, RibArguments &arguments) {
-  if (shape.thetaMax == 0) {
-    warnings.warn(arguments.where(), "a sweep of 0 degrees; the shape is left out");
-    return;
-  }
-  for (const Parameter &parameter : arguments.parameters())
-    warnUnknown("parameter of a quadric,", parameter.name, parameter.where);
-  addShape(shape, arguments);
+  if (shape.thetaMax == 0)
+    throw ShapeError(arguments.where(), "a sweep of 0 degrees");
+  // One value at each corner of the square of u and v.
+  addShape(shape, arguments.parameters(),
+           {.uniform = 1, .varying = 4, .vertex = 4, .faceVarying = 4}, arguments);
 }
 
 void RibState::sphere(RibArguments &arguments) {
@@ -45,7 +42,7 @@ void RibState::sphere(RibArguments &arguments) {
   shape.zmax = std::max(n[1], n[2]);
   shape.thetaMax = n[3];
   if (shape.radius == 0)
-    throw UserError(arguments.where(), "Sphere: the radius is 0");
+    throw ShapeError(arguments.where(), "Sphere: the radius is 0");
   addQuadric(shape, arguments);
 }
 
@@ -57,7 +54,7 @@ void RibState::cone(RibArguments &arguments) {
   shape.radius = n[1];
   shape.thetaMax = n[2];
   if (shape.height == 0)
-    throw UserError(arguments.where(), "Cone: the height is 0; use Disk");
+    throw ShapeError(arguments.where(), "Cone: the height is 0; use Disk");
   addQuadric(shape, arguments);
 }
 
@@ -70,7 +67,7 @@ void RibState::cylinder(RibArguments &arguments) {
   shape.zmax = n[2];
   shape.thetaMax = n[3];
   if (shape.radius == 0 || shape.zmin == shape.zmax)
-    throw UserError(arguments.where(), "Cylinder: the radius or the height is 0");
+    throw ShapeError(arguments.where(), "Cylinder: the radius or the height is 0");
   addQuadric(shape, arguments);
 }
 
@@ -93,7 +90,7 @@ void RibState::paraboloid(RibArguments &arguments) {
   shape.zmax = n[2];
   shape.thetaMax = n[3];
   if (shape.radius == 0 || shape.zmax == 0 || shape.zmin == shape.zmax)
-    throw UserError(arguments.where(), "Paraboloid: the radius or the height is 0");
+    throw ShapeError(arguments.where(), "Paraboloid: the radius or the height is 0");
   addQuadric(shape, arguments);
 }
 
@@ -105,7 +102,7 @@ void RibState::disk(RibArguments &arguments) {
   shape.radius = n[1];
   shape.thetaMax = n[2];
   if (shape.radius == 0)
-    throw UserError(arguments.where(), "Disk: the radius is 0");
+    throw ShapeError(arguments.where(), "Disk: the radius is 0");
   addQuadric(shape, arguments);
 }
 
@@ -119,70 +116,6 @@ void RibState::torus(RibArguments &arguments) {
   shape.phiMax = n[3];
   shape.thetaMax = n[4];
   if (shape.minorRadius == 0 || shape.phiMin == shape.phiMax)
-    throw UserError(arguments.where(), "Torus: the minor radius or its sweep is 0");
+    throw ShapeError(arguments.where(), "Torus: the minor radius or its sweep is 0");
   addQuadric(shape, arguments);
-}
-
-//===-- Polygons ------------------------------------------------------------//
-
-void RibState::polygon(RibArguments &arguments) {
-  PolygonShape shape;
-  shape.parameters = arguments.parameters();
-  const Parameter *points = findParameter(shape.parameters, "P");
-  size_t count = points ? points->numbers.size() / 3 : 0;
-  shape.vertexCounts.push_back(uint32_t(count));
-  for (uint32_t i = 0; i < count; ++i)
-    shape.vertices.push_back(i);
-  addPolygons(std::move(shape), arguments);
-}
-
-void RibState::pointsPolygons(RibArguments &arguments) {
-  PolygonShape shape;
-  shape.vertexCounts = arguments.indices("the numbers of vertices");
-  shape.vertices = arguments.indices("the vertices");
-  shape.parameters = arguments.parameters();
-  addPolygons(std::move(shape), arguments);
-}
-
-void RibState::addPolygons(PolygonShape shape, RibArguments &arguments) {
-  const Parameter *points = findParameter(shape.parameters, "P");
-  if (!points)
-    throw UserError(arguments.where(),
-                    "a polygon needs its vertices, as in \"P\" [0 0 0  1 0 0  0 1 0]");
-  if (points->numbers.empty() || points->numbers.size() % 3 != 0)
-    throw UserError(points->where, "\"P\" needs three numbers for each vertex");
-  for (size_t i = 0; i < points->numbers.size(); i += 3)
-    shape.points.emplace_back(points->numbers[i], points->numbers[i + 1], points->numbers[i + 2]);
-
-  size_t total = 0;
-  for (uint32_t count : shape.vertexCounts) {
-    if (count < 3)
-      throw UserError(arguments.where(), "a polygon needs at least 3 vertices");
-    total += count;
-  }
-  if (total != shape.vertices.size())
-    throw UserError(arguments.where(),
-                    "the numbers of vertices add up to " + std::to_string(total) + ", but " +
-                        std::to_string(shape.vertices.size()) + " vertices are given");
-  for (uint32_t vertex : shape.vertices)
-    if (vertex >= shape.points.size())
-      throw UserError(arguments.where(), "vertex " + std::to_string(vertex) + " of " +
-                                             std::to_string(shape.points.size()) + " in \"P\"");
-
-  std::erase_if(shape.parameters, [](const Parameter &parameter) { return parameter.name == "P"; });
-  for (const Parameter &parameter : shape.parameters) {
-    static const std::pair<const char *, size_t> known[] = {{"N", 3},  {"Cs", 3}, {"Os", 3},
-                                                            {"st", 2}, {"s", 1},  {"t", 1}};
-    auto entry = std::find_if(std::begin(known), std::end(known),
-                              [&](auto &each) { return parameter.name == each.first; });
-    if (entry == std::end(known)) {
-      warnUnknown("parameter of a polygon,", parameter.name, parameter.where);
-    } else if (parameter.numbers.size() != entry->second * shape.points.size()) {
-      throw UserError(parameter.where, "\"" + parameter.name + "\": expected " +
-                                           std::to_string(entry->second * shape.points.size()) +
-                                           " numbers, one value for each vertex, found " +
-                                           std::to_string(parameter.numbers.size()));
-    }
-  }
-  addShape(std::move(shape), arguments);
 }

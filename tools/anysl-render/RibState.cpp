@@ -28,7 +28,12 @@ void RibState::execute(const RibRequest &request) {
     return;
   }
   RibArguments arguments(request, declarations);
-  (this->*entry->second)(arguments);
+  try {
+    (this->*entry->second)(arguments);
+  } catch (const ShapeError &error) {
+    warnings.warn(error.where, error.message + "; the shape is left out");
+    return;
+  }
   if (!arguments.empty() && entry->second != &RibState::ignored)
     throw UserError(request.arguments.back().where,
                     request.name + ": more arguments than expected");

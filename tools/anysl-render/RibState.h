@@ -14,6 +14,7 @@
 #ifndef ANYSL_RENDER_RIBSTATE_H
 #define ANYSL_RENDER_RIBSTATE_H
 
+#include "tools/anysl-render/PrimitiveVariables.h"
 #include "tools/anysl-render/RibArguments.h"
 
 #include <unordered_map>
@@ -55,8 +56,10 @@ private:
   void concatenate(const Matrix4 &matrix) { state.transform = matrix * state.transform; }
   /// The shader that a request names: an index into the scene's, or -1 for "null" and "".
   int addShader(ShaderKind kind, RibArguments &arguments);
-  void addShape(std::variant<QuadricShape, PolygonShape> geometry, RibArguments &arguments);
-  void addPolygons(PolygonShape shape, RibArguments &arguments);
+  /// Adds a shape with its variables. Throws ShapeError where there is something wrong with them.
+  void addShape(ShapeGeometry geometry, ParameterList variables, const VariableCounts &counts,
+                RibArguments &arguments);
+  void addPolygons(PolygonShape shape, ParameterList variables, RibArguments &arguments);
   void addQuadric(QuadricShape shape, RibArguments &arguments);
   /// Warns once that a name of an option, attribute or parameter means nothing here.
   void warnUnknown(const char *what, const std::string &name, const Location &where);

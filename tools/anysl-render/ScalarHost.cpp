@@ -163,7 +163,7 @@ Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {
     Hit hit = geometry.intersect(rest, PartialShadowRays);
     if (!hit.isHit())
       break;
-    passing *= Vec3f(Vec3d(1) - geometry.opacityAt(hit));
+    passing *= Vec3f(Vec3d(1) - geometry.opacityAt(hit, rest.origin, rest.direction));
     rest.near = afterHit(hit.t);
   }
   return passing;

@@ -25,7 +25,7 @@ Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const Anys
       loader(*this, cache, services, layout, width, warnings) {
   loadShaders();
   makeGroups(warnings);
-  surfaces = std::make_unique<Geometry>(description, groupOfShape);
+  surfaces = std::make_unique<Geometry>(description, camera, groupOfShape);
 }
 
 void Scene::loadShaders() {

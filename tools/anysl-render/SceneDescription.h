@@ -101,16 +101,18 @@ struct QuadricShape {
   double thetaMax = 360;
 };
 
-/// Polygons that share their vertices.
+/// Polygons that share their vertices, with holes.
 struct PolygonShape {
-  std::vector<uint32_t> vertexCounts; ///< of each polygon
-  std::vector<uint32_t> vertices;     ///< indices into the points
-  std::vector<Vec3d> points;          ///< in object space
-  ParameterList parameters;           ///< values at the points other than "P"
+  std::vector<uint32_t> loopCounts;   ///< of each polygon: its outline and its holes
+  std::vector<uint32_t> vertexCounts; ///< of each loop
+  std::vector<uint32_t> vertices;     ///< of all loops: indices into the positions
 };
 
+using ShapeGeometry = std::variant<QuadricShape, PolygonShape>;
+
 struct Shape {
-  std::variant<QuadricShape, PolygonShape> geometry;
+  ShapeGeometry geometry;
+  ParameterList variables; ///< of every class, each with its declaration and as many values as fit
   Matrix4 objectToCamera = Matrix4::identity();
   uint32_t appearance = 0;
   Location where;

@@ -6,32 +6,15 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "test/unit/render/TestScene.h"
+
 #include "tools/anysl-render/Host.h"
-#include "tools/anysl-render/RibReader.h"
 
 #include <catch2/catch.hpp>
 
 using namespace anysl::render;
 
 namespace {
-
-struct TestScene {
-  explicit TestScene(const std::string &rib) {
-    auto file = std::make_shared<SourceFile>();
-    file->name = "test.rib";
-    file->text = rib;
-    Warnings warnings;
-    description = readRib(file, warnings).at(0);
-    groups.resize(description.shapes.size());
-    geometry = std::make_unique<Geometry>(description, groups);
-  }
-  Hit shoot(const Ray &ray, unsigned mask = CameraRays) const {
-    return geometry->intersect(ray, mask);
-  }
-  SceneDescription description;
-  std::vector<uint32_t> groups;
-  std::unique_ptr<Geometry> geometry;
-};
 
 Vec3d randomDirection(uint32_t seed) {
   for (uint32_t k = 0;; ++k) {
@@ -184,7 +167,8 @@ TEST_CASE("visibility hides surfaces from kinds of rays", "[geometry]") {
   CHECK(scene.shoot(ray, TraceRays).t == 3);
   CHECK(scene.shoot(ray, OpaqueShadowRays).t == 3);
   CHECK(scene.shoot(ray, PartialShadowRays).t == 11);
-  CHECK(scene.geometry->opacityAt(scene.shoot(ray, PartialShadowRays)) == Vec3d(0.5));
+  CHECK(scene.geometry->opacityAt(scene.shoot(ray, PartialShadowRays), ray.origin, ray.direction) ==
+        Vec3d(0.5));
 }
 
 TEST_CASE("a polygon's normal, texture coordinates and colours", "[geometry]") {

@@ -185,23 +185,36 @@ TEST_CASE("blocks have to match", "[rib]") {
              StartsWith("scene.rib:1:13: error: the file has no WorldBegin ... WorldEnd"));
 }
 
-TEST_CASE("polygons are checked", "[rib]") {
-  CHECK_THAT(errorOf("WorldBegin Polygon WorldEnd"),
-             StartsWith("scene.rib:1:12: error: a polygon needs its vertices"));
-  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 1] WorldEnd"),
-             StartsWith("scene.rib:1:20: error: \"P\" needs three numbers"));
-  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 1 1] WorldEnd"),
-             StartsWith("scene.rib:1:12: error: a polygon needs at least 3 vertices"));
-  CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1 7] \"P\" [0 0 0 1 0 0 0 1 0] WorldEnd"),
-             StartsWith("scene.rib:1:12: error: vertex 7 of 3 in \"P\""));
-  CHECK_THAT(
-      errorOf("WorldBegin PointsPolygons [3] [0 1] \"P\" [0 0 0 1 0 0 0 1 0] WorldEnd"),
-      StartsWith(
-          "scene.rib:1:12: error: the numbers of vertices add up to 3, but 2 vertices are given"));
+TEST_CASE("polygons are checked, and wrong ones left out", "[rib]") {
+  auto check = [](const std::string &polygon, const std::string &message) {
+    auto file = std::make_shared<SourceFile>();
+    file->name = "scene.rib";
+    file->text = "WorldBegin " + polygon + " Sphere 1 -1 1 360 WorldEnd";
+    Warnings warnings;
+    auto scene = readRib(file, warnings).at(0);
+    INFO(polygon);
+    CHECK(scene.shapes.size() == 1);
+    CHECK(warnings.count() == 1);
+    CHECK(warnings.contains("scene.rib:1:" + message));
+    CHECK(warnings.contains("; the shape is left out"));
+  };
+  check("Polygon", "12: warning: a polygon needs its vertices");
+  check("Polygon \"P\" [0 0 0 1 1]", "20: warning: \"P\" needs 3 numbers");
+  check("Polygon \"P\" [0 0 0 1 1 1]", "12: warning: a polygon needs at least 3 vertices");
+  check("PointsPolygons [3] [0 1 7] \"P\" [0 0 0 1 0 0 0 1 0]",
+        "12: warning: vertex 7 of 3 in \"P\"");
+  check("PointsPolygons [3] [0 1] \"P\" [0 0 0 1 0 0 0 1 0]",
+        "12: warning: the numbers of vertices add up to 3, but 2 vertices are given");
+  check("Polygon \"P\" [0 0 0 1 0 0 0 1 0] \"st\" [0 0 1]",
+        "44: warning: \"st\": expected 6 numbers, 3 varying values of 2, found 3");
+  check("Polygon \"P\" [0 0 0 1 0 0 0 1 0] \"uniform string a\" [1]",
+        "44: warning: \"a\" is declared as text, and this is none");
+  check("GeneralPolygon [3 3] \"P\" [0 0 0 1 0 0 0 1 0]",
+        "12: warning: the numbers of vertices add up to 6, but \"P\" has 3");
+  check("PointsGeneralPolygons [2] [3] [0 1 2] \"P\" [0 0 0 1 0 0 0 1 0]",
+        "12: warning: the numbers of loops add up to 2, but 1 numbers of vertices are given");
   CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1 -2] \"P\" [0 0 0] WorldEnd"),
              StartsWith("scene.rib:1:31: error: PointsPolygons: the vertices: -2"));
-  CHECK_THAT(errorOf("WorldBegin Polygon \"P\" [0 0 0 1 0 0 0 1 0] \"st\" [0 0 1] WorldEnd"),
-             StartsWith("scene.rib:1:44: error: \"st\": expected 6 numbers"));
 }
 
 TEST_CASE("declarations that are none", "[rib]") {

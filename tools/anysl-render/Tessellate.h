@@ -1,0 +1,25 @@
+//===-- tools/anysl-render/Tessellate.h - shapes to triangles ---------------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_TESSELLATE_H
+#define ANYSL_RENDER_TESSELLATE_H
+
+#include "tools/anysl-render/Dicing.h"
+
+namespace anysl::render {
+
+/// Cuts polygons, with their holes, into triangles.
+std::unique_ptr<Mesh> tessellate(const PolygonShape &shape, const ParameterList &variables,
+                                 const Placement &placement);
+
+/// Cuts a swept surface, quadric or not, into facets.
+std::unique_ptr<Mesh> tessellate(const QuadricShape &shape, const ParameterList &variables,
+                                 const Placement &placement, const Dicing &dicing);
+
+} // namespace anysl::render
+
+#endif
