@@ -14,11 +14,15 @@
 
 namespace anysl::render {
 
+struct Shader;
+
 /// A ray with a direction of unit length.
 struct Ray {
   Vec3f origin, direction;
   float near = 0, far = 1e30f;
   uint32_t seed = 0;
+  float travelled = 0; ///< from the eye, or where it was traced from, through surfaces up to here
+  const Shader *medium = nullptr; ///< the volume that it goes through; null: the atmosphere
 };
 
 class Camera {

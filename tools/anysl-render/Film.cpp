@@ -46,13 +46,62 @@ void anysl::render::checkOutput(const OutputFile &output) {
     throw UserError(output.where, "cannot write '" + name.string() + "': " + OIIO::geterror());
 }
 
+namespace {
+
+/// Where one number of a file's pixel comes from.
+struct FileChannel {
+  std::string name;
+  enum { Color, Coverage, Extra } source;
+  unsigned number;     ///< of `source`
+  bool isColor = true; ///< exposed, and encoded in files of integers
+};
+
+std::vector<FileChannel> fileChannels(const OutputFile &output, const Channels &channels) {
+  static const char *const rgb[] = {"R", "G", "B"}, *const xyz[] = {"x", "y", "z"};
+  std::vector<FileChannel> result;
+  for (const OutputVariable &variable : output.variables) {
+    if (variable.name == "rgb") {
+      for (unsigned k = 0; k < 3; ++k)
+        result.push_back({rgb[k], FileChannel::Color, k});
+    } else if (variable.name == "a") {
+      result.push_back({"A", FileChannel::Coverage, 0, false});
+    } else if (const Channel *channel = channels.find(variable.name)) {
+      // A value that is alone in its file has the names that viewers expect.
+      bool isColor = channel->type == ValueType::Color, alone = output.variables.size() == 1;
+      for (unsigned k = 0; k < channel->components; ++k) {
+        std::string name = channel->components == 3   ? (isColor || alone ? rgb : xyz)[k]
+                           : channel->components == 1 ? ""
+                                                      : std::to_string(k);
+        if (channel->source == Channel::Depth)
+          name = "Z";
+        else if (!alone)
+          name = variable.name + (name.empty() ? "" : "." + name);
+        else if (name.empty())
+          name = "Y";
+        result.push_back({name, FileChannel::Extra, channel->first + k, isColor});
+      }
+    }
+  }
+  return result;
+}
+
+OIIO::TypeDesc pixelType(const SceneDescription &scene, const OutputFile &output, bool linear) {
+  if (linear)
+    return output.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+  return scene.quantizeOne > 255 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
+}
+
+} // namespace
+
 void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
                                const OutputFile &output) {
   fs::path name = imageFileName(output);
   std::string suffix = name.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](char c) { return char(std::tolower(c)); });
-  bool linear = suffix == ".exr" || suffix == ".hdr" || suffix == ".pfm";
+  bool isTiff = suffix == ".tif" || suffix == ".tiff";
+  bool linear = suffix == ".exr" || suffix == ".hdr" || suffix == ".pfm" ||
+                (isTiff && scene.quantizeOne == 0);
 
   // OpenImageIO chooses the format by the suffix, so that the temporary name keeps it.
   fs::path temporary =
@@ -65,29 +114,37 @@ void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
   auto file = OIIO::ImageOutput::create(temporary.string());
   if (!file)
     fail(OIIO::geterror());
-  int channels = output.alpha ? 4 : 3;
-  auto type =
-      linear ? (output.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT) : OIIO::TypeDesc::UINT8;
-  OIIO::ImageSpec spec(film.width, film.height, channels, type);
+  std::vector<FileChannel> channels = fileChannels(output, film.channels);
+  OIIO::ImageSpec spec(film.width, film.height, int(channels.size()),
+                       pixelType(scene, output, linear));
+  spec.channelnames.clear();
+  for (const FileChannel &channel : channels) {
+    if (channel.source == FileChannel::Coverage)
+      spec.alpha_channel = int(spec.channelnames.size());
+    spec.channelnames.push_back(channel.name);
+  }
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
   spec.attribute("Software", "AnySL " ANYSL_VERSION);
   if (!linear)
     spec.attribute("oiio:dither", 0);
 
   std::vector<float> values;
-  values.reserve(film.pixels.size() * size_t(channels));
-  for (const auto &pixel : film.pixels) {
-    for (int k = 0; k < 3; ++k) {
-      float value = pixel[size_t(k)] * float(scene.gain);
-      if (!linear && scene.gamma != 1)
-        value = std::pow(std::clamp(value, 0.0f, 1.0f), float(1 / scene.gamma));
-      else if (!linear)
-        value = encodeSRGB(value);
-      values.push_back(value);
+  values.reserve(film.pixels.size() * channels.size());
+  auto encode = [&](float value) {
+    value *= float(scene.gain);
+    if (linear)
+      return value;
+    return scene.gamma != 1 ? std::pow(std::clamp(value, 0.0f, 1.0f), float(1 / scene.gamma))
+                            : encodeSRGB(value);
+  };
+  for (size_t i = 0; i < film.pixels.size(); ++i)
+    for (const FileChannel &channel : channels) {
+      float value = channel.source == FileChannel::Color ? film.pixels[i][channel.number]
+                    : channel.source == FileChannel::Coverage
+                        ? std::clamp(film.pixels[i][3], 0.0f, 1.0f)
+                        : film.extra[i * film.channels.size() + channel.number];
+      values.push_back(channel.isColor ? encode(value) : value);
     }
-    if (output.alpha)
-      values.push_back(std::clamp(pixel[3], 0.0f, 1.0f));
-  }
   if (!file->open(temporary.string(), spec) ||
       !file->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !file->close())
     fail(file->geterror());

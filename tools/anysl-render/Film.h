@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_FILM_H
 #define ANYSL_RENDER_FILM_H
 
-#include "tools/anysl-render/SceneDescription.h"
+#include "tools/anysl-render/Channels.h"
 
 namespace anysl::render {
 
@@ -16,6 +16,8 @@ namespace anysl::render {
 struct Film {
   int width = 0, height = 0;
   std::vector<std::array<float, 4>> pixels;
+  Channels channels;
+  std::vector<float> extra; ///< of each pixel, the numbers of the channels
   /// Pixels for which a shader returned a number that is none, or infinity. Those samples are left
   /// out of the pixel's mean.
   uint64_t badPixels = 0;

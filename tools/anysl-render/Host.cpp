@@ -56,10 +56,21 @@ void RayStarts::set(size_t i, const SurfacePoint &point) {
   offset[i] = point.offset;
 }
 
-Ray RayStarts::behind(size_t i, Vec3f direction, uint32_t seed) const {
+Ray RayStarts::behind(size_t i, const Ray &ray, float t, const ShadingGroup &group) const {
   Vec3f normal(Ng[0][i], Ng[1][i], Ng[2][i]), p(P[0][i], P[1][i], P[2][i]);
-  float distance = dot(normal, direction) < 0 ? -offset[i] : offset[i];
-  return {p + normal * distance, direction, 0, 1e30f, hash(seed, behindSurface)};
+  float distance = dot(normal, ray.direction) < 0 ? -offset[i] : offset[i];
+  Ray result;
+  result.origin = p + normal * distance;
+  result.direction = ray.direction;
+  result.seed = hash(ray.seed, behindSurface);
+  result.travelled = ray.travelled + t;
+  result.medium = medium(i, ray.direction, group);
+  return result;
+}
+
+const Shader *RayStarts::medium(size_t i, Vec3f direction, const ShadingGroup &group) const {
+  bool inwards = dot(Vec3f(Ng[0][i], Ng[1][i], Ng[2][i]), direction) < 0;
+  return inwards ? group.interior : group.exterior;
 }
 
 namespace {
@@ -168,6 +179,10 @@ int anysl::render::serveSpaceMatrix(void *renderer, const Space *object, const c
                                     const char *to, double matrix[16]) {
   const auto &shader = *static_cast<const Shader *>(renderer);
   Matrix4 result;
+  if (shader.info && shader.info->kind == ANYSL_IMAGER) {
+    from = std::string_view(from) == "current" ? "raster" : from;
+    to = std::string_view(to) == "current" ? "raster" : to;
+  }
   if (!shader.scene->spaces.matrix(&shader.space, object, from, to, result))
     return 0;
   for (int i = 0; i < 16; ++i)
@@ -175,10 +190,10 @@ int anysl::render::serveSpaceMatrix(void *renderer, const Space *object, const c
   return 1;
 }
 
-AnyslShadeArgs anysl::render::makeShadeArgs(const ShadingGroup &group, uint32_t count,
-                                            void *batch) {
+AnyslShadeArgs anysl::render::makeShadeArgs(const Shader &shader, const ShadingGroup &group,
+                                            uint32_t count, void *batch) {
   AnyslShadeArgs args;
-  anysl_instance_fill_args(group.shader->instance.get(), &args);
+  anysl_instance_fill_args(shader.instance.get(), &args);
   args.count = count;
   args.batch = batch;
   args.lights = group.lights->lights.data();

@@ -106,15 +106,17 @@ private:
 /// The light along a camera ray, and how much of what lies beyond all surfaces is hidden.
 struct Radiance {
   Vec3f color;
+  Vec3f opacity;
   float alpha = 0;
 };
 
 class Host {
 public:
   virtual ~Host() = default;
-  /// The light along `count` camera rays.
-  virtual void trace(ThreadState &state, const Ray *rays, uint32_t count,
-                     Radiance *radiance) const = 0;
+  /// The light along `count` camera rays, and of each the numbers of the scene's channels, which
+  /// have to be clear before.
+  virtual void trace(ThreadState &state, const Ray *rays, uint32_t count, Radiance *radiance,
+                     float *channels) const = 0;
   /// How many rays trace() likes to get at once.
   virtual uint32_t preferredCount() const = 0;
   virtual const Scene &scene() const = 0;
@@ -133,6 +135,10 @@ std::unique_ptr<Host> makeScalarHost(const SceneDescription &description, const 
 constexpr unsigned maxLayers = 64;
 /// The number mixed into a ray's seed where it goes on behind a surface.
 constexpr uint32_t behindSurface = 0x62656864;
+/// The number mixed into the seeds of points that a volume shader works on.
+constexpr uint32_t throughVolume = 0x766f6c75;
+/// What every batch of points has, whether its shader names it or not.
+constexpr uint64_t colorOutputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL_Oi;
 
 /// What is kept of shaded points for the rays that start there, one array for each number.
 struct RayStarts {
@@ -141,8 +147,10 @@ struct RayStarts {
 
   RayStarts(Arena &arena, size_t count);
   void set(size_t i, const SurfacePoint &point);
-  /// The ray that goes on behind point i.
-  Ray behind(size_t i, Vec3f direction, uint32_t seed) const;
+  /// The ray that goes on behind point i, which it met at distance t.
+  Ray behind(size_t i, const Ray &ray, float t, const ShadingGroup &group) const;
+  /// The volume that a ray starts in that leaves point i on the side of `direction`.
+  const Shader *medium(size_t i, Vec3f direction, const ShadingGroup &group) const;
 };
 
 /// Rays that shaders ask for, up to 16 at once, one array for each number.
@@ -156,7 +164,9 @@ struct AskedRays {
             {direction[0][i], direction[1][i], direction[2][i]},
             0,
             far[i],
-            seed};
+            seed,
+            0,
+            nullptr};
   }
 };
 
@@ -174,9 +184,11 @@ void makeShadowRays(const RayStarts &starts, size_t first, uint32_t count, const
 /// Where a shadow ray goes on that has passed a surface at distance t.
 inline float afterHit(float t) { return std::nextafter(t * (1 + 0x1p-20f), 1e30f); }
 
-/// Hands every component of the globals in `wanted` to store(component, value).
+/// Hands every component of the globals in `wanted` to store(component, value); I comes from where
+/// the ray has travelled `travelled` before.
 template <typename Store>
-void storeGlobals(uint64_t wanted, const SurfacePoint &point, Vec3f rayOrigin, const Store &store) {
+void storeGlobals(uint64_t wanted, const SurfacePoint &point, const Ray &ray, float travelled,
+                  const Store &store) {
   auto asks = [&](AnyslGlobal global) { return (wanted >> global & 1) != 0; };
   auto triple = [&](AnyslGlobal global, int component, Vec3d value) {
     if (asks(global))
@@ -190,7 +202,8 @@ void storeGlobals(uint64_t wanted, const SurfacePoint &point, Vec3f rayOrigin, c
   triple(ANYSL_P, ANYSL_COMPONENT_P, point.frame.P);
   triple(ANYSL_N, ANYSL_COMPONENT_N, point.normal);
   triple(ANYSL_Ng, ANYSL_COMPONENT_Ng, point.frame.normal);
-  triple(ANYSL_I, ANYSL_COMPONENT_I, point.frame.P - Vec3d(rayOrigin));
+  triple(ANYSL_I, ANYSL_COMPONENT_I,
+         point.frame.P - Vec3d(ray.origin) + Vec3d(ray.direction) * double(travelled));
   triple(ANYSL_Cs, ANYSL_COMPONENT_Cs, point.color);
   triple(ANYSL_Os, ANYSL_COMPONENT_Os, point.opacity);
   triple(ANYSL_Ci, ANYSL_COMPONENT_Ci, Vec3d());
@@ -227,8 +240,38 @@ Vec3f defaultSurface(const SurfacePoint &point, Vec3f direction);
 int serveSpaceMatrix(void *renderer, const Space *object, const char *from, const char *to,
                      double matrix[16]);
 
-/// The common part of what a shader is called with.
-AnyslShadeArgs makeShadeArgs(const ShadingGroup &group, uint32_t count, void *batch);
+/// The common part of what a shader of a group is called with.
+AnyslShadeArgs makeShadeArgs(const Shader &shader, const ShadingGroup &group, uint32_t count,
+                             void *batch);
+
+/// Adds what is known of a camera ray's point to the numbers of its channels. `passing` is how much
+/// of the point's light arrives, `nearest` whether no surface before it counts.
+/// value(component) gives a global's number, output(number, k) that of one of the shader's outputs.
+template <typename Value, typename Output>
+void storeChannels(const Channels &channels, const Shader *shader, double depth, Vec3f passing,
+                   bool nearest, float *numbers, const Value &value, const Output &output) {
+  static constexpr int firstComponent[] = {
+#define ANYSL_GLOBAL(id, name, type, components, storage, doc) ANYSL_COMPONENT_##name,
+#include <anysl/Globals.def>
+  };
+  for (const Channel &channel : channels.list()) {
+    float *target = numbers + channel.first;
+    if (channel.source == Channel::Depth && nearest)
+      *target = float(depth);
+    for (unsigned k = 0; channel.source == Channel::Global && nearest && k < channel.components;
+         ++k)
+      target[k] = value(firstComponent[channel.global] + int(k));
+  }
+  for (size_t i = 0; shader && i < shader->outputs.size(); ++i) {
+    const Channel &channel = channels.list()[shader->outputs[i].channel];
+    for (unsigned k = 0; k < channel.components; ++k) {
+      if (channel.isLight())
+        numbers[channel.first + k] += passing[int(k)] * output(i, k);
+      else if (nearest)
+        numbers[channel.first + k] = output(i, k);
+    }
+  }
+}
 
 } // namespace anysl::render
 

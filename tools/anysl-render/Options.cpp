@@ -154,8 +154,10 @@ void anysl::render::applyOptions(const Options &options, SceneDescription &scene
     scene.maxDepth = unsigned(options.maxDepth);
   if (options.outputs.empty())
     return;
-  bool alpha = !scene.outputs.empty() && scene.outputs[0].alpha;
+  std::vector<OutputVariable> variables = {{"rgb", {}}};
+  if (!scene.outputs.empty())
+    variables = scene.outputs[0].variables;
   scene.outputs.clear();
   for (const std::string &name : options.outputs)
-    scene.outputs.push_back({name, "file", alpha, false, {}});
+    scene.outputs.push_back({name, "file", variables, false, {}});
 }

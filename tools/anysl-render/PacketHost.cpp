@@ -26,7 +26,8 @@ namespace {
 /// Rays and what they meet, one array for each number.
 struct RayList {
   uint32_t count = 0, capacity = 0;
-  float *origin[3], *direction[3], *near, *far;
+  float *origin[3], *direction[3], *near, *far, *travelled;
+  const Shader **medium;
   uint32_t *seed;
   uint32_t *target; ///< where the ray's light goes to: an index into the caller's arrays
   float *t, *u, *v;
@@ -36,8 +37,9 @@ struct RayList {
     // Packets are loaded whole, so that the arrays reach beyond the last ray.
     size_t size = (capacity + 15) / 16 * 16;
     for (float **array : {&origin[0], &origin[1], &origin[2], &direction[0], &direction[1],
-                          &direction[2], &near, &far, &t, &u, &v})
+                          &direction[2], &near, &far, &travelled, &t, &u, &v})
       *array = arena.allocate<float>(size);
+    medium = arena.allocate<const Shader *>(size);
     for (uint32_t **array : {&seed, &target, &geometry, &primitive})
       *array = arena.allocate<uint32_t>(size);
   }
@@ -49,6 +51,8 @@ struct RayList {
     }
     near[count] = ray.near;
     far[count] = ray.far;
+    travelled[count] = ray.travelled;
+    medium[count] = ray.medium;
     seed[count] = ray.seed;
     target[count++] = toTarget;
   }
@@ -56,7 +60,52 @@ struct RayList {
   Vec3f directionOf(uint32_t i) const {
     return {direction[0][i], direction[1][i], direction[2][i]};
   }
+  Ray rayOf(uint32_t i) const {
+    return {originOf(i), directionOf(i), near[i], far[i], seed[i], travelled[i], medium[i]};
+  }
   Hit hitOf(uint32_t i) const { return {t[i], u[i], v[i], geometry[i], primitive[i]}; }
+};
+
+/// The arrays of a batch's globals, one for each component.
+struct GlobalArrays {
+  float *component[ANYSL_COMPONENT_COUNT] = {};
+
+  GlobalArrays(Arena &arena, uint64_t wanted, size_t size, const Scene &scene) {
+    storeGlobals(wanted, SurfacePoint(), Ray(), 0,
+                 [&](int number, double) { component[number] = arena.allocate<float>(size); });
+    storeUniformGlobals(wanted, scene, [&](int number, double value) {
+      // One value is enough, but code for a whole group of points may read it as if varying.
+      component[number] = arena.allocate<float>(16);
+      std::fill_n(component[number], 16, float(value));
+    });
+  }
+  void set(uint32_t i, uint64_t wanted, const SurfacePoint &point, const Ray &ray,
+           float travelled) {
+    storeGlobals(wanted, point, ray, travelled,
+                 [&](int number, double value) { component[number][i] = float(value); });
+  }
+  Vec3f triple(int first, uint32_t i) const {
+    return {component[first][i], component[first + 1][i], component[first + 2][i]};
+  }
+};
+
+/// Rays that met surfaces whose points share a batch.
+struct Members {
+  const RayList &rays;
+  const uint32_t *numbers; ///< of the rays
+  uint32_t count;
+  const ShadingGroup &group;
+  const Shader *volume; ///< that they came through, or null
+  unsigned depth;
+  float *channels; ///< of all targets, or null
+};
+
+/// What becomes of rays: the light so far, and what goes on.
+struct Outcome {
+  Vec3f *passing;
+  bool *covered; ///< whether some surface counts already for what the nearest one gives
+  Radiance *radiance;
+  RayList *behind;
 };
 
 /// What AnyslShadeArgs::batch points to.
@@ -73,7 +122,7 @@ struct PacketBatch {
 class PacketHostBase : public Host {
 public:
   virtual void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                      Radiance *radiance) const = 0;
+                      Radiance *radiance, float *channels) const = 0;
   virtual void findNearest(RayList &rays, unsigned mask) const = 0;
   /// Sets t to -infinity where a ray is blocked.
   virtual void findBlocked(RayList &rays) const = 0;
@@ -87,28 +136,30 @@ public:
              const AnyslServices &services, Warnings &warnings)
       : theScene(description, cache, services, ANYSL_LAYOUT_SOA, W, warnings) {}
 
-  void trace(ThreadState &state, const Ray *rays, uint32_t count,
-             Radiance *radiance) const override {
+  void trace(ThreadState &state, const Ray *rays, uint32_t count, Radiance *radiance,
+             float *channels) const override {
     Arena::Scope scope(state.arena);
     RayList list(state.arena, count);
     for (uint32_t i = 0; i < count; ++i)
       list.add(rays[i], i);
     state.counts.cameraRays += count;
-    follow(state, list, CameraRays, 0, radiance);
+    follow(state, list, CameraRays, 0, radiance,
+           theScene.channels().size() > 0 ? channels : nullptr);
   }
   // Enough points for full packets after sorting, few enough for their arrays to stay in cache.
   uint32_t preferredCount() const override { return 256; }
   const Scene &scene() const override { return theScene; }
 
-  void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-              Radiance *radiance) const override;
+  void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth, Radiance *radiance,
+              float *channels) const override;
   void findNearest(RayList &rays, unsigned mask) const override;
   void findBlocked(RayList &rays) const override;
 
 private:
-  void shade(ThreadState &state, const RayList &rays, const uint32_t *members, uint32_t count,
-             uint32_t groupIndex, unsigned depth, RayList &behind, Vec3f *passing,
-             Radiance *radiance) const;
+  void shade(ThreadState &state, const Members &members, const Outcome &outcome) const;
+  /// Runs a shader. `outputs` has an array for each of its parameters, or is null.
+  void run(const Shader &shader, PacketBatch &batch, uint32_t count, const GlobalArrays &globals,
+           float *const *outputs) const;
 
   Scene theScene;
 };
@@ -204,7 +255,7 @@ void PacketHost<W>::findBlocked(RayList &rays) const {
 
 template <unsigned W>
 void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                           Radiance *radiance) const {
+                           Radiance *radiance, float *channels) const {
   const Geometry &geometry = theScene.geometry();
   uint32_t targets = 0;
   for (uint32_t i = 0; i < rays.count; ++i) {
@@ -213,6 +264,8 @@ void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, uns
   }
   Vec3f *passing = state.arena.allocate<Vec3f>(targets);
   std::fill_n(passing, targets, Vec3f(1));
+  bool *covered = state.arena.allocate<bool>(targets);
+  std::fill_n(covered, targets, false);
 
   // Each round takes the rays to the next surface; those that it lets through make the next round.
   RayList *current = &rays;
@@ -223,7 +276,8 @@ void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, uns
     RayList &behind = others[layer % 2];
     behind = RayList(state.arena, list.count);
 
-    // Sort the hits by group, keeping the order of the rays within each.
+    // Sort the hits by group and medium, keeping the order of the rays within each.
+    Outcome outcome{passing, covered, radiance, &behind};
     uint32_t *group = state.arena.allocate<uint32_t>(list.count);
     uint32_t *members = state.arena.allocate<uint32_t>(list.count);
     constexpr uint32_t done = ~uint32_t(0);
@@ -239,91 +293,137 @@ void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, uns
       if (group[i] == done)
         continue;
       uint32_t wanted = group[i], count = 0;
+      const Shader *medium = list.medium[i];
       for (uint32_t j = i; j < list.count; ++j)
-        if (group[j] == wanted) {
+        if (group[j] == wanted && list.medium[j] == medium) {
           members[count++] = j;
           group[j] = done;
         }
-      shade(state, list, members, count, wanted, depth, behind, passing, radiance);
+      const ShadingGroup &itsGroup = theScene.group(wanted);
+      shade(
+          state,
+          {list, members, count, itsGroup, medium ? medium : itsGroup.atmosphere, depth, channels},
+          outcome);
     }
     current = &behind;
   }
   for (uint32_t i = 0; i < rays.count; ++i) {
     Vec3f rest = passing[rays.target[i]];
+    radiance[rays.target[i]].opacity = Vec3f(1) - rest;
     radiance[rays.target[i]].alpha = 1 - (rest.x + rest.y + rest.z) / 3;
   }
 }
 
 template <unsigned W>
-void PacketHost<W>::shade(ThreadState &state, const RayList &rays, const uint32_t *members,
-                          uint32_t count, uint32_t groupIndex, unsigned depth, RayList &behind,
-                          Vec3f *passing, Radiance *radiance) const {
+void PacketHost<W>::shade(ThreadState &state, const Members &members,
+                          const Outcome &outcome) const {
   const Geometry &geometry = theScene.geometry();
-  const ShadingGroup &group = theScene.group(groupIndex);
+  const Channels &channels = theScene.channels();
+  const RayList &rays = members.rays;
+  const Shader *shader = members.group.shader, *volume = members.volume;
+  const uint32_t count = members.count;
   Arena::Scope scope(state.arena);
   size_t size = (size_t(count) + 15) / 16 * 16;
   RayStarts starts(state.arena, size);
-  float *arrays[ANYSL_COMPONENT_COUNT] = {};
-  constexpr uint64_t outputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL_Oi;
-  uint64_t wanted = outputs | (group.shader ? group.shader->globals : 0);
-  storeGlobals(wanted, SurfacePoint(), Vec3f(), [&](int component, double) {
-    arrays[component] = state.arena.allocate<float>(size);
-  });
+  uint64_t channelGlobals = members.channels ? channels.globals() : 0;
+  uint64_t wanted = colorOutputs | (shader ? shader->globals : 0) | channelGlobals;
+  uint64_t inVolume = volume ? volume->globals & ~colorOutputs : 0;
+  uint64_t needed = (shader ? shader->needed : 0) | (volume ? volume->needed : 0) | channelGlobals;
+  GlobalArrays globals(state.arena, wanted, size, theScene);
+  GlobalArrays volumeGlobals(state.arena, inVolume, size, theScene);
 
+  float *depths = state.arena.allocate<float>(size);
   for (uint32_t i = 0; i < count; ++i) {
-    uint32_t ray = members[i];
-    Vec3f origin = rays.originOf(ray), direction = rays.directionOf(ray);
+    Ray ray = rays.rayOf(members.numbers[i]);
     SurfacePoint point;
-    geometry.evaluate(rays.hitOf(ray), origin, direction, group.shader ? group.shader->needed : 0,
-                      point);
+    geometry.evaluate(rays.hitOf(members.numbers[i]), ray.origin, ray.direction, needed, point);
     starts.set(i, point);
-    storeGlobals(wanted, point, origin,
-                 [&](int component, double value) { arrays[component][i] = float(value); });
-    if (!group.shader) {
-      Vec3f Ci = defaultSurface(point, direction);
+    depths[i] = float(point.frame.P.z);
+    globals.set(i, wanted, point, ray, ray.travelled);
+    volumeGlobals.set(i, inVolume, point, ray, 0);
+    if (!shader) {
+      Vec3f Ci = defaultSurface(point, ray.direction);
       for (int k = 0; k < 3; ++k)
-        arrays[ANYSL_COMPONENT_Ci + k][i] = Ci[k];
+        globals.component[ANYSL_COMPONENT_Ci + k][i] = Ci[k];
     }
   }
 
-  if (group.shader) {
-    uint32_t *seeds = state.arena.allocate<uint32_t>(size);
-    uint32_t *traced = state.arena.allocate<uint32_t>(size);
-    for (uint32_t i = 0; i < size; ++i) {
-      seeds[i] = i < count ? rays.seed[members[i]] : 0;
-      traced[i] = 0;
-    }
-    storeUniformGlobals(wanted, theScene, [&](int component, double value) {
-      // One value is enough, but code for a whole group of points may read it as if varying.
-      arrays[component] = state.arena.allocate<float>(16);
-      std::fill_n(arrays[component], 16, float(value));
-    });
-    PacketBatch batch{this, &state, &group, &starts, seeds, traced, depth};
-    AnyslShadeArgs args = makeShadeArgs(group, count, &batch);
-    args.globals = reinterpret_cast<void *const *>(arrays);
-    args.seeds = seeds;
-    state.counts.points += count;
-    ++state.counts.batches;
-    state.startShading();
-    group.shader->shade(&args, 0, count);
-    state.stopShading();
+  uint32_t *seeds = state.arena.allocate<uint32_t>(size);
+  uint32_t *traced = state.arena.allocate<uint32_t>(size);
+  for (uint32_t i = 0; i < size; ++i) {
+    seeds[i] = i < count ? rays.seed[members.numbers[i]] : 0;
+    traced[i] = 0;
+  }
+  PacketBatch batch{this, &state, &members.group, &starts, seeds, traced, members.depth};
+  float **outputs = nullptr;
+  if (shader && members.channels && !shader->outputs.empty()) {
+    outputs = state.arena.allocate<float *>(shader->info->param_count);
+    std::fill_n(outputs, shader->info->param_count, nullptr);
+    for (const Shader::Output &output : shader->outputs)
+      outputs[output.param] =
+          state.arena.allocate<float>(channels.list()[output.channel].components * size);
+  }
+  if (shader)
+    run(*shader, batch, count, globals, outputs);
+
+  for (uint32_t i = 0; members.channels && i < count; ++i) {
+    uint32_t target = rays.target[members.numbers[i]];
+    bool visible = maxAbs(globals.triple(ANYSL_COMPONENT_Oi, i)) > 0;
+    storeChannels(
+        channels, shader, depths[i], outcome.passing[target], visible && !outcome.covered[target],
+        members.channels + target * channels.size(),
+        [&](int component) { return globals.component[component][i]; },
+        [&](size_t output, unsigned k) {
+          return outputs[shader->outputs[output].param][k * size + i];
+        });
+    outcome.covered[target] |= visible;
+  }
+  if (volume) {
+    std::copy_n(globals.component + ANYSL_COMPONENT_Ci, 3,
+                volumeGlobals.component + ANYSL_COMPONENT_Ci);
+    std::copy_n(globals.component + ANYSL_COMPONENT_Oi, 3,
+                volumeGlobals.component + ANYSL_COMPONENT_Oi);
+    for (uint32_t i = 0; i < count; ++i)
+      seeds[i] = hash(seeds[i], throughVolume);
+    run(*volume, batch, count, volumeGlobals, nullptr);
   }
 
   for (uint32_t i = 0; i < count; ++i) {
-    uint32_t ray = members[i], target = rays.target[ray];
-    Vec3f Ci, Oi;
-    for (int k = 0; k < 3; ++k) {
-      Ci[k] = arrays[ANYSL_COMPONENT_Ci + k][i];
-      Oi[k] = arrays[ANYSL_COMPONENT_Oi + k][i];
-    }
-    radiance[target].color += passing[target] * Ci;
-    passing[target] *= Vec3f(1) - Oi;
-    if (!(maxAbs(passing[target]) > 0x1p-12f)) {
-      passing[target] = Vec3f();
+    uint32_t ray = members.numbers[i], target = rays.target[ray];
+    Vec3f &passing = outcome.passing[target];
+    outcome.radiance[target].color += passing * globals.triple(ANYSL_COMPONENT_Ci, i);
+    passing *= Vec3f(1) - globals.triple(ANYSL_COMPONENT_Oi, i);
+    if (!(maxAbs(passing) > 0x1p-12f)) {
+      passing = Vec3f();
       continue;
     }
-    behind.add(starts.behind(i, rays.directionOf(ray), rays.seed[ray]), target);
+    outcome.behind->add(starts.behind(i, rays.rayOf(ray), rays.t[ray], members.group), target);
   }
+}
+
+template <unsigned W>
+void PacketHost<W>::run(const Shader &shader, PacketBatch &batch, uint32_t count,
+                        const GlobalArrays &globals, float *const *outputs) const {
+  ThreadState &state = *batch.state;
+  AnyslShadeArgs args = makeShadeArgs(shader, *batch.group, count, &batch);
+  args.globals = reinterpret_cast<void *const *>(globals.component);
+  args.seeds = batch.seeds;
+  if (outputs) {
+    args.param_data = reinterpret_cast<void *const *>(outputs);
+    args.data_stride = (size_t(count) + 15) / 16 * 16;
+    // An output that the shader never assigns has the parameter's value.
+    for (const Shader::Output &output : shader.outputs) {
+      const AnyslParamInfo &param = shader.info->params[output.param];
+      for (uint32_t k = 0; k < anysl_type_components(param.type); ++k)
+        std::fill_n(outputs[output.param] + k * args.data_stride, args.data_stride,
+                    float(args.params[param.first_cell + k].number));
+    }
+  }
+  state.counts.points += count;
+  ++state.counts.batches;
+  state.startShading();
+  shader.shade(&args, 0, count);
+  state.stopShading();
 }
 
 void PacketHostBase::transmission(ThreadState &state, RayList &rays, Vec3f *passing) const {
@@ -336,7 +436,7 @@ void PacketHostBase::transmission(ThreadState &state, RayList &rays, Vec3f *pass
     passing[rays.target[i]] = Vec3f(blocked ? 0 : 1);
     if (blocked || !geometry.hasPartialShadows())
       continue;
-    rest.add({rays.originOf(i), rays.directionOf(i), rays.near[i], rays.far[i], 0}, rays.target[i]);
+    rest.add(rays.rayOf(i), rays.target[i]);
   }
   for (unsigned layer = 0; rest.count > 0 && layer < maxLayers; ++layer) {
     findNearest(rest, PartialShadowRays);
@@ -348,7 +448,7 @@ void PacketHostBase::transmission(ThreadState &state, RayList &rays, Vec3f *pass
       uint32_t target = rest.target[i];
       passing[target] *=
           Vec3f(Vec3d(1) - geometry.opacityAt(hit, rest.originOf(i), rest.directionOf(i)));
-      Ray ray{rest.originOf(i), rest.directionOf(i), afterHit(hit.t), rest.far[i], 0};
+      Ray ray{rest.originOf(i), rest.directionOf(i), afterHit(hit.t), rest.far[i]};
       // In place: no later ray has been overwritten, since as many have been read as are kept.
       std::swap(rest.count, kept);
       rest.add(ray, target);
@@ -395,7 +495,10 @@ void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32
     return;
   state.counts.traceRays += rays.count;
   Radiance *radiance = state.arena.allocate<Radiance>(width);
-  batch.host->follow(state, rays, TraceRays, batch.depth + 1, radiance);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    rays.medium[i] =
+        batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
+  batch.host->follow(state, rays, TraceRays, batch.depth + 1, radiance, nullptr);
   for (uint32_t i = 0; i < rays.count; ++i)
     setLane(color, width, rays.target[i], radiance[rays.target[i]].color);
 }

@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Render.h"
+#include "tools/anysl-render/Imager.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -33,6 +34,7 @@ public:
 
 private:
   void flush();
+  void addChannels(size_t pixel, const Radiance &radiance, float *numbers);
 
   const Host &host;
   const PixelSampler &sampler;
@@ -41,6 +43,7 @@ private:
   std::vector<Ray> rays;
   std::vector<size_t> pixelOf;
   std::vector<Radiance> results;
+  std::vector<float> channels;           ///< of each ray
   std::map<size_t, unsigned> badSamples; ///< by pixel; nearly always empty
 };
 
@@ -61,8 +64,12 @@ void TileJob::run(int x0, int x1, int y0, int y1) {
 }
 
 void TileJob::flush() {
+  const Channels &wanted = film.channels;
   results.resize(rays.size());
-  host.trace(state, rays.data(), uint32_t(rays.size()), results.data());
+  channels.resize(rays.size() * wanted.size());
+  for (size_t i = 0; i < rays.size(); ++i)
+    wanted.clear(channels.data() + i * wanted.size());
+  host.trace(state, rays.data(), uint32_t(rays.size()), results.data(), channels.data());
   const bool opaque = host.scene().background.isVisible();
   const float weight = 1.0f / float(sampler.samplesPerPixel());
   for (size_t i = 0; i < rays.size(); ++i) {
@@ -76,6 +83,8 @@ void TileJob::flush() {
     for (int k = 0; k < 3; ++k)
       pixel[size_t(k)] += r.color[k] * weight;
     pixel[3] += opaque ? weight : r.alpha * weight;
+    if (wanted.size() > 0)
+      addChannels(pixelOf[i], r, channels.data() + i * wanted.size());
   }
   // All samples of a pixel are in the same flush.
   for (auto [index, bad] : badSamples) {
@@ -83,11 +92,29 @@ void TileJob::flush() {
     float scale = good > 0 ? float(sampler.samplesPerPixel()) / float(good) : 0;
     for (float &value : film.pixels[index])
       value *= scale;
+    for (const Channel &channel : wanted.list())
+      for (unsigned k = 0; channel.source != Channel::Depth && k < channel.components; ++k)
+        film.extra[index * wanted.size() + channel.first + k] *= scale;
   }
   badPixels += badSamples.size();
   badSamples.clear();
   rays.clear();
   pixelOf.clear();
+}
+
+void TileJob::addChannels(size_t pixel, const Radiance &radiance, float *numbers) {
+  const float weight = 1.0f / float(sampler.samplesPerPixel());
+  float *sums = film.extra.data() + pixel * film.channels.size();
+  for (const Channel &channel : film.channels.list())
+    for (unsigned k = 0; k < channel.components; ++k) {
+      float value = numbers[channel.first + k], &sum = sums[channel.first + k];
+      if (channel.source == Channel::Opacity)
+        value = radiance.opacity[int(k)];
+      // A mean of distances is the distance of nothing.
+      sum = channel.source == Channel::Depth ? std::min(sum, value)
+            : std::isfinite(value)           ? sum + value * weight
+                                             : sum;
+    }
 }
 
 } // namespace
@@ -100,6 +127,10 @@ RenderResult anysl::render::render(const Host &host, const RenderOptions &option
   film.width = scene.camera.width();
   film.height = scene.camera.height();
   film.pixels.resize(size_t(film.width) * size_t(film.height));
+  film.channels = scene.channels();
+  film.extra.resize(film.pixels.size() * film.channels.size());
+  for (size_t i = 0; i < film.pixels.size() && film.channels.size() > 0; ++i)
+    film.channels.clear(film.extra.data() + i * film.channels.size());
   int cropX0, cropX1, cropY0, cropY1;
   scene.camera.cropPixels(cropX0, cropX1, cropY0, cropY1);
   PixelSampler sampler(scene.description);
@@ -138,7 +169,9 @@ RenderResult anysl::render::render(const Host &host, const RenderOptions &option
     result.counts += state.counts;
   if (ticks > 0)
     result.shadingSeconds = double(result.counts.shadingTicks) * result.seconds / double(ticks);
-  film.badPixels = badPixels;
   result.complete = !stop;
+  if (scene.imager() && result.complete)
+    badPixels += runImager(scene, film);
+  film.badPixels = badPixels;
   return result;
 }

@@ -1,4 +1,5 @@
-//===-- tools/anysl-render/RibArguments.cpp - what stands behind a request ---------------------===//
+//===-- tools/anysl-render/RibArguments.cpp - what stands behind a request
+//---------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

@@ -1,4 +1,5 @@
-//===-- tools/anysl-render/RibAttributes.cpp - requests about how surfaces look ----------------===//
+//===-- tools/anysl-render/RibAttributes.cpp - requests about how surfaces look
+//----------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -49,7 +50,8 @@ void RibState::textureCoordinates(RibArguments &arguments) {
 void RibState::attribute(RibArguments &arguments) {
   std::string group = arguments.string("a name");
   const auto &before = state.appearance.attributes;
-  auto attributes = before ? std::make_shared<ParameterMap>(*before) : std::make_shared<ParameterMap>();
+  auto attributes =
+      before ? std::make_shared<ParameterMap>(*before) : std::make_shared<ParameterMap>();
   for (const Parameter &parameter : arguments.parameters()) {
     std::string name = group + ":" + parameter.name;
     attributes->insert_or_assign(name, parameter);

@@ -1,4 +1,5 @@
-//===-- tools/anysl-render/RibOptions.cpp - requests about camera, samples and files -----------===//
+//===-- tools/anysl-render/RibOptions.cpp - requests about camera, samples and files
+//-----------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -11,12 +12,55 @@
 
 using namespace anysl::render;
 
+namespace {
+
+/// "rgb", "rgbaz" and the like, or names of variables with commas between them.
+std::vector<OutputVariable>
+readMode(const std::string &mode, const Location &where,
+         const std::map<std::string, Declaration, std::less<>> &declarations) {
+  std::vector<OutputVariable> result;
+  std::string_view rest = mode;
+  for (std::string_view part : {"rgb", "a", "z"})
+    if (rest.starts_with(part)) {
+      result.push_back({std::string(part), {}});
+      rest.remove_prefix(part.size());
+    }
+  if (rest.empty() && !result.empty())
+    return result;
+  result.clear();
+  rest = mode;
+  while (!rest.empty()) {
+    size_t end = std::min(rest.find(','), rest.size());
+    std::string_view word = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    OutputVariable variable;
+    if (word.find(' ') != word.npos) {
+      variable.declaration = parseDeclaration(word, &variable.name, where);
+    } else {
+      variable.name = word;
+      if (auto known = declarations.find(word); known != declarations.end())
+        variable.declaration = known->second;
+    }
+    if (variable.name == "Ci")
+      variable.name = "rgb";
+    else if (variable.name == "alpha")
+      variable.name = "a";
+    if (!variable.name.empty())
+      result.push_back(std::move(variable));
+  }
+  if (result.empty())
+    throw UserError(where, "Display: the mode is empty; give one such as \"rgba\"");
+  return result;
+}
+
+} // namespace
+
 void RibState::display(RibArguments &arguments) {
   OutputFile output;
   output.where = arguments.where();
   output.name = arguments.string("a file name");
   output.format = arguments.string("a type");
-  output.alpha = arguments.string("a mode").find('a') != std::string::npos;
+  output.variables = readMode(arguments.string("a mode"), arguments.where(), declarations);
   ParameterList parameters = arguments.parameters();
   if (const Parameter *type = findParameter(parameters, "exrpixeltype"))
     output.half = !type->strings.empty() && type->strings[0] == "half";
@@ -94,6 +138,13 @@ void RibState::exposure(RibArguments &arguments) {
     throw UserError(arguments.where(), "Exposure: gamma must be positive");
   scene.gain = n[0];
   scene.gamma = n[1];
+}
+
+void RibState::quantize(RibArguments &arguments) {
+  std::string type = arguments.string("what is quantized");
+  auto n = arguments.numbers(4, "one, min, max and dither amplitude");
+  if (type == "rgb" || type == "rgba")
+    scene.quantizeOne = n[0];
 }
 
 void RibState::screenWindow(RibArguments &arguments) {

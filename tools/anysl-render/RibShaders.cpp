@@ -1,4 +1,5 @@
-//===-- tools/anysl-render/RibShaders.cpp - requests that name shaders -------------------------===//
+//===-- tools/anysl-render/RibShaders.cpp - requests that name shaders
+//-------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

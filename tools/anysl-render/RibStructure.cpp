@@ -1,4 +1,5 @@
-//===-- tools/anysl-render/RibStructure.cpp - requests that open and close blocks --------------===//
+//===-- tools/anysl-render/RibStructure.cpp - requests that open and close blocks
+//--------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -61,7 +62,7 @@ void RibState::worldBegin(RibArguments &arguments) {
 void RibState::worldEnd(RibArguments &arguments) {
   close(Block::World, "World", arguments);
   if (scene.outputs.empty())
-    scene.outputs.push_back({baseName + ".png", "file", false, false, arguments.where()});
+    scene.outputs.push_back({baseName + ".png", "file", {{"rgb", {}}}, false, arguments.where()});
   finished.push_back(std::move(scene));
   scene = std::move(savedScenes.back());
   savedScenes.pop_back();

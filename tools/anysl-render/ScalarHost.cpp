@@ -12,6 +12,8 @@
 
 #include "tools/anysl-render/Host.h"
 
+#include <algorithm>
+
 using namespace anysl::render;
 
 namespace {
@@ -27,26 +29,38 @@ struct PointBatch {
   uint32_t rays = 0; ///< how many the shader has traced from this point
 };
 
+/// What shaders make of a point.
+struct PointColors {
+  Vec3f passing; ///< how much of it arrives
+  bool nearest;  ///< nothing before it counts
+  Vec3f Ci, Oi;
+};
+
 class ScalarHost : public Host {
 public:
   ScalarHost(const SceneDescription &description, const ShaderCache &cache, Warnings &warnings)
       : theScene(description, cache, services, ANYSL_LAYOUT_AOS, 1, warnings) {}
 
-  void trace(ThreadState &state, const Ray *rays, uint32_t count,
-             Radiance *radiance) const override {
+  void trace(ThreadState &state, const Ray *rays, uint32_t count, Radiance *radiance,
+             float *channels) const override {
+    const unsigned size = theScene.channels().size();
     for (uint32_t i = 0; i < count; ++i)
-      radiance[i] = follow(state, rays[i], CameraRays, 0);
+      radiance[i] = follow(state, rays[i], CameraRays, 0, size > 0 ? channels + i * size : nullptr);
     state.counts.cameraRays += count;
   }
   uint32_t preferredCount() const override { return 1; }
   const Scene &scene() const override { return theScene; }
 
 private:
-  Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth) const;
+  Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth,
+                  float *channels) const;
   Vec3f transmission(ThreadState &state, const Ray &ray) const;
   template <typename Real>
-  void shade(PointBatch &batch, const SurfacePoint &point, Vec3f rayOrigin, Vec3f &Ci,
-             Vec3f &Oi) const;
+  void shade(PointBatch &batch, const SurfacePoint &point, const Ray &ray, const Shader *volume,
+             PointColors &colors, float *channels) const;
+  template <typename Real>
+  void run(const Shader &shader, const ShadingGroup &group, PointBatch &batch, Real *globals,
+           Real *const *outputs) const;
 
   static void serveTrace(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *,
                          double *);
@@ -74,69 +88,120 @@ struct Triple {
   float value[3];
 };
 
-Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth) const {
+Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth,
+                            float *channels) const {
   const Geometry &geometry = theScene.geometry();
   Radiance radiance;
-  Vec3f passing(1);
+  PointColors colors{Vec3f(1), true, {}, {}};
   for (unsigned layer = 0; layer < maxLayers; ++layer) {
     Hit hit = geometry.intersect(ray, mask);
     if (!hit.isHit()) {
-      radiance.color += passing * theScene.background.color(ray.direction);
+      radiance.color += colors.passing * theScene.background.color(ray.direction);
       break;
     }
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
+    const Shader *volume = ray.medium ? ray.medium : group.atmosphere;
+    uint64_t needed = (group.shader ? group.shader->needed : 0) | (volume ? volume->needed : 0) |
+                      (channels ? theScene.channels().globals() : 0);
     SurfacePoint point;
-    geometry.evaluate(hit, ray.origin, ray.direction, group.shader ? group.shader->needed : 0,
-                      point);
+    geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
     Arena::Scope scope(state.arena);
     PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
     batch.starts.set(0, point);
-    Vec3f Ci, Oi;
-    if (!group.shader) {
-      Ci = defaultSurface(point, ray.direction);
-      Oi = Vec3f(point.opacity);
-    } else if (theScene.real() == ANYSL_REAL_DOUBLE) {
-      shade<double>(batch, point, ray.origin, Ci, Oi);
-    } else {
-      shade<float>(batch, point, ray.origin, Ci, Oi);
-    }
-    radiance.color += passing * Ci;
-    passing *= Vec3f(1) - Oi;
-    if (!(maxAbs(passing) > 0x1p-12f)) {
-      passing = Vec3f();
+    if (theScene.real() == ANYSL_REAL_DOUBLE)
+      shade<double>(batch, point, ray, volume, colors, channels);
+    else
+      shade<float>(batch, point, ray, volume, colors, channels);
+    radiance.color += colors.passing * colors.Ci;
+    colors.passing *= Vec3f(1) - colors.Oi;
+    colors.nearest &= maxAbs(colors.Oi) == 0;
+    if (!(maxAbs(colors.passing) > 0x1p-12f)) {
+      colors.passing = Vec3f();
       break;
     }
-    ray = batch.starts.behind(0, ray.direction, ray.seed);
+    ray = batch.starts.behind(0, ray, hit.t, group);
   }
-  radiance.alpha = 1 - (passing.x + passing.y + passing.z) / 3;
+  radiance.opacity = Vec3f(1) - colors.passing;
+  radiance.alpha = 1 - (colors.passing.x + colors.passing.y + colors.passing.z) / 3;
   return radiance;
 }
 
 template <typename Real>
-void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, Vec3f rayOrigin, Vec3f &Ci,
-                       Vec3f &Oi) const {
-  const Shader &shader = *batch.group->shader;
-  Arena::Scope scope(batch.state->arena);
+void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, const Ray &ray,
+                       const Shader *volume, PointColors &colors, float *channels) const {
+  const Shader *shader = batch.group->shader;
+  Arena &arena = batch.state->arena;
+  Arena::Scope scope(arena);
   // The interface promises room for 16 points; only the first is ever written.
-  Real *globals = batch.state->arena.allocate<Real>(16 * ANYSL_COMPONENT_COUNT);
-  constexpr uint64_t outputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL_Oi;
+  Real *globals = arena.allocate<Real>(16 * ANYSL_COMPONENT_COUNT);
   auto store = [globals](int component, double value) { globals[component] = Real(value); };
-  storeGlobals(shader.globals | outputs, point, rayOrigin, store);
-  storeUniformGlobals(shader.globals, theScene, store);
+  uint64_t wanted = colorOutputs | (shader ? shader->globals : 0) |
+                    (channels ? theScene.channels().globals() : 0);
+  storeGlobals(wanted, point, ray, ray.travelled, store);
+  Real **outputs = nullptr;
+  if (shader) {
+    storeUniformGlobals(wanted, theScene, store);
+    if (channels && !shader->outputs.empty()) {
+      outputs = arena.allocate<Real *>(shader->info->param_count);
+      std::fill_n(outputs, shader->info->param_count, nullptr);
+      for (const Shader::Output &output : shader->outputs)
+        outputs[output.param] = arena.allocate<Real>(16 * 16);
+    }
+    run(*shader, *batch.group, batch, globals, outputs);
+  } else {
+    Vec3f Ci = defaultSurface(point, ray.direction);
+    for (int k = 0; k < 3; ++k)
+      globals[ANYSL_COMPONENT_Ci + k] = Ci[k];
+  }
+  auto color = [](const Real *from, int component) {
+    return Vec3f(float(from[component]), float(from[component + 1]), float(from[component + 2]));
+  };
+  colors.Oi = color(globals, ANYSL_COMPONENT_Oi);
+  if (channels)
+    storeChannels(
+        theScene.channels(), shader, point.frame.P.z, colors.passing,
+        colors.nearest && maxAbs(colors.Oi) > 0, channels,
+        [&](int component) { return float(globals[component]); },
+        [&](size_t i, unsigned k) { return float(outputs[shader->outputs[i].param][k]); });
+  if (volume) {
+    Real *inVolume = arena.allocate<Real>(16 * ANYSL_COMPONENT_COUNT);
+    auto storeVolume = [inVolume](int component, double value) {
+      inVolume[component] = Real(value);
+    };
+    storeGlobals(volume->globals & ~colorOutputs, point, ray, 0, storeVolume);
+    storeUniformGlobals(volume->globals, theScene, storeVolume);
+    std::copy_n(globals + ANYSL_COMPONENT_Ci, 3, inVolume + ANYSL_COMPONENT_Ci);
+    std::copy_n(globals + ANYSL_COMPONENT_Oi, 3, inVolume + ANYSL_COMPONENT_Oi);
+    batch.seed = hash(batch.seed, throughVolume);
+    run<Real>(*volume, *batch.group, batch, inVolume, nullptr);
+    globals = inVolume;
+  }
+  colors.Ci = color(globals, ANYSL_COMPONENT_Ci);
+  colors.Oi = color(globals, ANYSL_COMPONENT_Oi);
+}
 
-  AnyslShadeArgs args = makeShadeArgs(*batch.group, 1, &batch);
+template <typename Real>
+void ScalarHost::run(const Shader &shader, const ShadingGroup &group, PointBatch &batch,
+                     Real *globals, Real *const *outputs) const {
+  AnyslShadeArgs args = makeShadeArgs(shader, group, 1, &batch);
   void *const arrays[1] = {globals};
   args.globals = arrays;
   args.seeds = &batch.seed;
+  if (outputs) {
+    args.param_data = reinterpret_cast<void *const *>(outputs);
+    args.data_stride = 16;
+    // An output that the shader never assigns has the parameter's value.
+    for (const Shader::Output &output : shader.outputs) {
+      const AnyslParamInfo &param = shader.info->params[output.param];
+      for (uint32_t k = 0; k < anysl_type_components(param.type); ++k)
+        outputs[output.param][k] = Real(args.params[param.first_cell + k].number);
+    }
+  }
   ++batch.state->counts.points;
   ++batch.state->counts.batches;
   batch.state->startShading();
   shader.shade(&args, 0, 1);
   batch.state->stopShading();
-  for (int k = 0; k < 3; ++k) {
-    Ci[k] = float(globals[ANYSL_COMPONENT_Ci + k]);
-    Oi[k] = float(globals[ANYSL_COMPONENT_Oi + k]);
-  }
 }
 
 Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {
@@ -181,7 +246,9 @@ void ScalarHost::serveTrace(void *, const AnyslShadeArgs *args, uint32_t, const 
   makeTraceRays(batch.starts, 0, 1, Triple(P).value, Triple(R).value, asked);
   if (batch.depth < batch.host->theScene.description.maxDepth && asked.valid[0]) {
     ++batch.state->counts.traceRays;
-    result = batch.host->follow(*batch.state, asked.ray(0, seed), TraceRays, batch.depth + 1).color;
+    Ray ray = asked.ray(0, seed);
+    ray.medium = batch.starts.medium(0, ray.direction, *batch.group);
+    result = batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, nullptr).color;
   }
   for (int k = 0; k < 3; ++k)
     color[k] = result[k];

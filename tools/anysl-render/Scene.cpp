@@ -7,6 +7,7 @@
 
 #include "tools/anysl-render/Scene.h"
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -22,45 +23,62 @@ constexpr uint32_t spacesService = 1u << 3;
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
     : description(given), camera(given.camera), spaces(given, camera), background(given),
-      loader(*this, cache, services, layout, width, warnings) {
-  loadShaders();
+      loader(*this, cache, layout, width, warnings) {
+  loadShaders(services, warnings);
   makeGroups(warnings);
   surfaces = std::make_unique<Geometry>(description, camera, groupOfShape);
 }
 
-void Scene::loadShaders() {
+void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
   // Only those that some shape uses.
   std::set<int> used;
-  for (const Shape &shape : description.shapes)
-    used.insert(description.appearances[shape.appearance].surface);
+  for (const Shape &shape : description.shapes) {
+    const Appearance &appearance = description.appearances[shape.appearance];
+    used.insert(
+        {appearance.surface, appearance.atmosphere, appearance.interior, appearance.exterior});
+  }
+  used.insert(description.imager);
   used.erase(-1);
   std::vector<const ShaderUse *> uses;
   for (int index : used)
     uses.push_back(&description.shaders[size_t(index)]);
   loader.open(uses);
+  imagerServices.struct_size = sizeof imagerServices;
+  imagerServices.space_matrix = services.space_matrix;
   shaders.resize(description.shaders.size());
-  for (int index : used)
-    shaders[size_t(index)] = loader.make(description.shaders[size_t(index)]);
+  for (int index : used) {
+    const ShaderUse &use = description.shaders[size_t(index)];
+    shaders[size_t(index)] =
+        loader.make(use, use.kind == ShaderKind::Imager ? imagerServices : services);
+  }
+  wantedChannels = Channels(description, shaders, warnings);
+}
+
+const Shader *Scene::imager() const {
+  return description.imager < 0 ? nullptr : shaders[size_t(description.imager)].get();
 }
 
 void Scene::makeGroups(Warnings &warnings) {
-  using Key = std::tuple<int, const LightSet *, uint32_t>;
+  using Key = std::tuple<std::array<int, 4>, const LightSet *, uint32_t>;
   std::map<Key, uint32_t> known;
   constexpr uint32_t anyObject = ~uint32_t(0);
+  auto shaderOf = [&](int index) { return index < 0 ? nullptr : shaders[size_t(index)].get(); };
   for (uint32_t i = 0; i < description.shapes.size(); ++i) {
     const Shape &shape = description.shapes[i];
     const Appearance &appearance = description.appearances[shape.appearance];
     auto [lights, isNew] = lightSets.try_emplace(appearance.lights);
     if (isNew)
       lights->second = makeLightSet(description, appearance.lights, warnings);
-    const Shader *shader =
-        appearance.surface < 0 ? nullptr : shaders[size_t(appearance.surface)].get();
-    bool bySpace =
-        shader && (shader->info->services & spacesService) != 0;
-    Key key{appearance.surface, &lights->second, bySpace ? i : anyObject};
+    std::array<int, 4> indices{appearance.surface, appearance.atmosphere, appearance.interior,
+                               appearance.exterior};
+    bool bySpace = std::any_of(indices.begin(), indices.end(), [&](int index) {
+      return index >= 0 && (shaderOf(index)->info->services & spacesService) != 0;
+    });
+    Key key{indices, &lights->second, bySpace ? i : anyObject};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
     if (isNewGroup)
-      groups.push_back({shader, &lights->second, Space(shape.objectToCamera)});
+      groups.push_back({shaderOf(indices[0]), shaderOf(indices[1]), shaderOf(indices[2]),
+                        shaderOf(indices[3]), &lights->second, Space(shape.objectToCamera)});
     groupOfShape.push_back(entry->second);
   }
 }

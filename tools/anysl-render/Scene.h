@@ -8,16 +8,19 @@
 #ifndef ANYSL_RENDER_SCENE_H
 #define ANYSL_RENDER_SCENE_H
 
+#include "tools/anysl-render/Channels.h"
 #include "tools/anysl-render/Geometry.h"
 #include "tools/anysl-render/Lights.h"
 #include "tools/anysl-render/Shaders.h"
 
 namespace anysl::render {
 
-/// Points that may share a batch: one shader, one set of lights, and one object where the shader
-/// may ask for "object" space.
+/// Points that may share a batch: the same shaders, one set of lights, and one object where a
+/// shader may ask for "object" space.
 struct ShadingGroup {
   const Shader *shader = nullptr; ///< null: the built-in default surface
+  /// Volumes: between the eye and the surface, and where rays go that start on its two sides.
+  const Shader *atmosphere = nullptr, *interior = nullptr, *exterior = nullptr;
   const LightSet *lights = nullptr;
   Space object;
 };
@@ -36,17 +39,21 @@ public:
   const Spaces spaces;
   const Background background;
   const Geometry &geometry() const { return *surfaces; }
+  const Channels &channels() const { return wantedChannels; }
+  const Shader *imager() const; ///< or null
   const ShadingGroup &group(uint32_t index) const { return groups[index]; }
   uint32_t groupCount() const { return uint32_t(groups.size()); }
   /// The number format of all the shaders' batches.
   AnyslReal real() const { return loader.real(); }
 
 private:
-  void loadShaders();
+  void loadShaders(const AnyslServices &services, Warnings &warnings);
   void makeGroups(Warnings &warnings);
 
   ShaderLoader loader;
+  AnyslServices imagerServices = {};            ///< what makes sense without a scene's point
   std::vector<std::unique_ptr<Shader>> shaders; ///< as description.shaders; null where not used
+  Channels wantedChannels;
   std::map<std::vector<uint32_t>, LightSet> lightSets;
   std::vector<ShadingGroup> groups;
   std::vector<uint32_t> groupOfShape;

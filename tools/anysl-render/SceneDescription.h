@@ -126,10 +126,16 @@ struct LightUse {
   Location where;
 };
 
+/// What a file shows: "rgb", "a" (coverage), "z" (depth), a shader's global variable or output.
+struct OutputVariable {
+  std::string name;
+  std::optional<Declaration> declaration;
+};
+
 struct OutputFile {
   std::string name;   ///< as given; the type follows from its suffix, else from `format`
   std::string format; ///< "file", "png", "openexr", ...
-  bool alpha = false;
+  std::vector<OutputVariable> variables;
   bool half = false; ///< 16 bits a channel where the format has such floats
   Location where;
 };
@@ -160,6 +166,7 @@ struct SceneDescription {
   FilterKind filter = FilterKind::Gaussian;
   double filterWidthX = 2, filterWidthY = 2;
   double gain = 1, gamma = 1;
+  double quantizeOne = 255; ///< the integer that stands for 1 in files; 0: floats where they can be
   unsigned maxDepth = 8;
   BackgroundDescription background;
   std::string shaderPath; ///< colon-separated; & stands for the default

@@ -79,7 +79,7 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
   }
 }
 
-std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use) {
+std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServices &services) {
   AnyslLibrary *library = libraries.at(use.name).get();
   // The shader of the file's name, or the only one there is.
   std::string base = std::filesystem::path(use.name).filename().string();
@@ -95,12 +95,12 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use) {
   auto shader = std::make_unique<Shader>();
   shader->scene = &scene;
   shader->use = &use;
+  shader->info = info;
   shader->space = Space(use.shaderToCamera);
   AnyslInstance *instance = nullptr;
   if (anysl_instance_create(library, info->name, &services, shader.get(), &instance))
     throw UserError(use.where, anysl_last_error());
   shader->instance.reset(instance);
-  shader->info = info;
   shader->shade = anysl_shader_entry(info, width);
   shader->width = width;
   if (!shader->shade) { // a library from elsewhere, with other widths

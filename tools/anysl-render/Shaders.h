@@ -1,4 +1,5 @@
-//===-- tools/anysl-render/Shaders.h - shaders with their values --------------------*- C++ -*---===//
+//===-- tools/anysl-render/Shaders.h - shaders with their values --------------------*- C++
+//-*---===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -34,23 +35,30 @@ struct Shader {
   uint32_t width = 1;
   uint64_t globals = 0; ///< all that it reads or writes, as bits 1 << ANYSL_P ...
   uint64_t needed = 0;  ///< those that it reads
+
+  /// An output parameter that is wanted for a picture.
+  struct Output {
+    uint32_t param;   ///< number in `info`
+    uint32_t channel; ///< number in the scene's list
+  };
+  std::vector<Output> outputs;
 };
 
 /// Opens shader libraries, each file once, and makes shaders of them.
 class ShaderLoader {
 public:
-  /// The services are the host's; the layout and width what it can work with.
-  ShaderLoader(const Scene &scene, const ShaderCache &cache, const AnyslServices &services,
-               AnyslLayout layout, unsigned width, Warnings &warnings)
-      : scene(scene), cache(cache), services(services), layout(layout), width(width),
-        warnings(warnings) {}
+  /// The layout and width are what the host can work with.
+  ShaderLoader(const Scene &scene, const ShaderCache &cache, AnyslLayout layout, unsigned width,
+               Warnings &warnings)
+      : scene(scene), cache(cache), layout(layout), width(width), warnings(warnings) {}
 
   /// Finds and compiles what the shaders need, in parallel, and opens it. Throws UserError where
   /// one is missing, does not compile or does not fit the host.
   void open(std::span<const ShaderUse *const> uses);
   /// A shader whose library is open, with the values that the request gives its parameters. Throws
-  /// UserError where it is of another kind or a value does not fit. `use` must outlive it.
-  std::unique_ptr<Shader> make(const ShaderUse &use);
+  /// UserError where it is of another kind or a value does not fit. `use` and `services` must
+  /// outlive it.
+  std::unique_ptr<Shader> make(const ShaderUse &use, const AnyslServices &services);
 
   /// The number format of all the shaders' batches.
   AnyslReal real() const { return format; }
@@ -63,7 +71,6 @@ private:
 
   const Scene &scene;
   const ShaderCache &cache;
-  const AnyslServices &services;
   AnyslLayout layout;
   unsigned width;
   Warnings &warnings;

@@ -96,11 +96,12 @@ TEST_CASE("attributes are saved and restored", "[rib]") {
 }
 
 TEST_CASE("shaders of every kind, options and attributes are kept as they are stated", "[rib]") {
-  auto scene = read("Imager \"background\" \"bgcolor\" [1 0 0] Option \"user\" \"float size\" 3 "
-                    "WorldBegin Atmosphere \"fog\" AttributeBegin Attribute \"user\" \"string tag\" "
-                    "[\"a\"] Displacement \"dents\" Surface \"null\" Interior \"smoke\" "
-                    "Exterior \"air\" Sphere 1 -1 1 360 AttributeEnd Sphere 1 -1 1 360 WorldEnd")
-                   .at(0);
+  auto scene =
+      read("Imager \"background\" \"bgcolor\" [1 0 0] Option \"user\" \"float size\" 3 "
+           "WorldBegin Atmosphere \"fog\" AttributeBegin Attribute \"user\" \"string tag\" "
+           "[\"a\"] Displacement \"dents\" Surface \"null\" Interior \"smoke\" "
+           "Exterior \"air\" Sphere 1 -1 1 360 AttributeEnd Sphere 1 -1 1 360 WorldEnd")
+          .at(0);
   auto name = [&](int index) { return index < 0 ? "none" : scene.shaders.at(size_t(index)).name; };
   const Appearance &inner = scene.appearances.at(scene.shapes.at(0).appearance);
   const Appearance &outer = scene.appearances.at(scene.shapes.at(1).appearance);
@@ -129,7 +130,7 @@ TEST_CASE("each world of a file is a scene, and frames restore options", "[rib]"
   CHECK(scenes[0].outputs.size() == 1);
   REQUIRE(scenes[1].outputs.size() == 2);
   CHECK(scenes[1].outputs[1].name == "b.exr");
-  CHECK(scenes[1].outputs[1].alpha);
+  CHECK(scenes[1].outputs[1].variables.at(1).name == "a");
 }
 
 TEST_CASE("orientations count from the handedness of the space", "[rib]") {
