@@ -10,6 +10,9 @@ if(ANYSL_SANITIZE)
                                                  -fno-sanitize=vptr,function)
   target_link_options(anysl_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(ANYSL_FUZZ)
+  target_compile_options(anysl_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # What code against LLVM needs besides: LLVM's headers, no RTTI, the shared libLLVM.
 add_library(anysl_llvm INTERFACE)
