@@ -420,8 +420,9 @@ struct FunctionDecl {
   bool isBeingChecked = false;
   bool isChecked = false;
   bool isPublic = false;
-  bool isVarying = false; ///< gives varying values whatever its arguments are
-  bool usesOuter = false; ///< names a variable that is not its own
+  bool isVarying = false;      ///< gives varying values whatever its arguments are
+  bool assignsMembers = false; ///< of a class, or calls what does
+  bool usesOuter = false;      ///< names a variable that is not its own
   bool isUsed = false;
 };
 

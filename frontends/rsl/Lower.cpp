@@ -249,7 +249,11 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
     return;
   }
   at(shader.range.Start);
-  info.body = b.beginFunction(shader.name);
+  // The shaders that a class is share its name, not their code's.
+  std::string symbol = shader.name.str();
+  if (b.module().getFunction(symbol))
+    symbol += "." + nameOf(shader.type).str();
+  info.body = b.beginFunction(symbol);
   beginBody();
   for (const VarDecl *param : shader.params)
     if (param->isOutput && param->type.kind != TypeKind::String)
@@ -292,7 +296,7 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
 void Lowering::lowerInit(const ShaderDecl &shader, stc::ShaderInfo &info) {
   lastLocation = SMLoc();
   at(shader.range.Start);
-  info.init = b.beginFunction((shader.name + ".init").str());
+  info.init = b.beginFunction(info.body->getName().str() + ".init");
   beginBody();
   initOf = &info;
   static constexpr Op stores[] = {Op::store_param_float,  Op::store_param_color,

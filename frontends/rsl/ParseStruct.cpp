@@ -128,7 +128,8 @@ bool Parser::parseMember(StructDecl &decl, std::vector<VarDecl *> &members,
       member->type.varying = false;
     members.push_back(member);
   } while (accept(TokenKind::Comma));
-  return expect(TokenKind::Semicolon, "after a member");
+  expect(TokenKind::Semicolon, "after a member");
+  return true;
 }
 
 /// `a->b`, `a->f(…)`

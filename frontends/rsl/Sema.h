@@ -106,6 +106,14 @@ private:
   void bindObject(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps);
   Expr *copyResult(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps);
 
+  // Class shaders (SemaClass.cpp)
+  void checkClass(StructDecl &decl);
+  void checkShaderName(const ShaderDecl &shader);
+  bool checkEntry(const FunctionDecl &method, llvm::ArrayRef<llvm::StringLiteral> globals);
+  Stmt *callOf(FunctionDecl &method, llvm::ArrayRef<Expr *> args);
+  void makeEntries(StructDecl &decl);
+  Stmt *displacementForMembers(FunctionDecl &method);
+
   // Statements
   void checkStmt(Stmt *stmt);
   void checkBlock(BlockStmt &block);

@@ -363,6 +363,8 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
     flattenArguments(*call, steps);
     if (call->object && !isThis(call->object)) {
       bindObject(*call, steps);
+      if (function && structure && structure->isClass)
+        function->assignsMembers = true;
       call->hasEffects = true;
     }
   }
@@ -373,6 +375,8 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
     call->hasEffects |= chosen->function->usesOuter;
     if (chosen->function->isVarying)
       useVarying();
+    if (function)
+      function->assignsMembers |= chosen->function->assignsMembers;
   } else {
     for (const BuiltinOperand &operand : chosen->builtin->operands)
       if (operand.source == BuiltinOperand::Global) {

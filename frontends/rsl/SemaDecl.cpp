@@ -27,11 +27,14 @@ void Sema::check() {
   scopes.emplace_back();
   declareGlobals();
   scopes.emplace_back();
+  ast.shaders.clear(); // they come back in order, those that classes are among them
   for (const Ast::Item &item : ast.items) {
     if (diags.reachedLimit())
       return;
     if (item.function)
       checkFunction(*item.function);
+    else if (item.structure && item.structure->isClass)
+      checkClass(*item.structure);
     else if (item.structure)
       checkStruct(*item.structure);
     else
@@ -141,15 +144,20 @@ std::vector<StringRef> Sema::visibleNames() const {
 
 //===-- Shaders and functions -------------------------------------------------------------------//
 
-void Sema::checkShader(ShaderDecl &decl) {
-  for (ShaderDecl *other : ast.shaders) {
-    if (other == &decl)
-      break;
-    if (other->name == decl.name)
+/// A shader's name and kind together are its own; the shaders that a class is share its name.
+void Sema::checkShaderName(const ShaderDecl &decl) {
+  for (ShaderDecl *other : ast.shaders)
+    if (other->name == decl.name && other->range.Start != decl.range.Start) {
       diags.error(decl.range.Start, "redefinition of shader '" + decl.name + "'")
           .range(decl.range)
           .note(other->range.Start, "previously defined here", other->range);
-  }
+      return;
+    }
+}
+
+void Sema::checkShader(ShaderDecl &decl) {
+  checkShaderName(decl);
+  ast.shaders.push_back(&decl);
   shader = &decl;
   pushScope();
   for (VarDecl *param : decl.params)

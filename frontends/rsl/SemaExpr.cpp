@@ -435,6 +435,8 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
   }
   VarDecl &decl = *name->decl;
   decl.isAssigned = true;
+  if (function && structure && structure->isClass && decl.owner != function)
+    function->assignsMembers = true;
   if (function && decl.owner != function && decl.type.varying)
     useVarying();
   if (decl.kind == VarKind::FunctionParam && !decl.isOutput && decl.owner == function) {
@@ -446,12 +448,12 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
         .range(target->range)
         .note(decl.range.Start, "declared here", decl.range);
   }
-  if (decl.kind == VarKind::Global && shader && !illuminances) {
+  if (decl.kind == VarKind::Global && (shader || structure) && !illuminances) {
     static constexpr StringLiteral readOnly[] = {"Ng", "I",    "E",    "u",  "v",      "du",
                                                  "dv", "dPdu", "dPdv", "Ps", "ncomps", "time"};
     static constexpr StringLiteral results[] = {"Ci", "Oi"};
     bool writesLight =
-        shader->type == ShaderType::Displacement || shader->type == ShaderType::Light;
+        shader && (shader->type == ShaderType::Displacement || shader->type == ShaderType::Light);
     bool bad = llvm::is_contained(readOnly, decl.name);
     if (!bad && llvm::is_contained(results, decl.name) && writesLight) {
       diags.error(loc, "a " + nameOf(shader->type) + " shader has no '" + decl.name + "'")

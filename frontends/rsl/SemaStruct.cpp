@@ -60,6 +60,8 @@ void Sema::checkMembers(StructDecl &decl) {
   size_t outerScope = std::exchange(structureScope, scopes.size());
   for (FunctionDecl *method : decl.methods)
     checkMethod(*method);
+  if (decl.isClass)
+    makeEntries(decl);
   structure = outerStructure;
   structureScope = outerScope;
   popScope();

@@ -129,8 +129,9 @@ ANYSL_API const AnyslLibraryInfo *anysl_library_info(const AnyslLibrary *library
 /** The path it was opened by. */
 ANYSL_API const char *anysl_library_path(const AnyslLibrary *library);
 
-/** The shader of a name; a null name means the library's first. Null if there is none, with a
- * message. */
+/** The shader of a name; a null name means the library's first. Shaders of different kinds may have
+   one name (a class shader's do): "displacement:glass" says which, "glass" means the first of them.
+   Null if there is none, with a message. */
 ANYSL_API const AnyslShaderInfo *anysl_library_shader(const AnyslLibrary *library,
                                                       const char *name);
 /** The parameter of a name, or null. */

@@ -158,13 +158,21 @@ const AnyslShaderInfo *anysl_library_shader(const AnyslLibrary *library, const c
   const AnyslLibraryInfo &info = *library->loaded->info;
   if (!name && info.shader_count)
     return &info.shaders[0];
-  for (uint32_t i = 0; name && i < info.shader_count; ++i)
-    if (!std::strcmp(info.shaders[i].name, name))
+  const char *colon = name ? std::strchr(name, ':') : nullptr;
+  const char *own = colon ? colon + 1 : name;
+  for (uint32_t i = 0; name && i < info.shader_count; ++i) {
+    const char *kind = anysl_kind_name(info.shaders[i].kind);
+    bool isKind = !colon || (std::strlen(kind) == size_t(colon - name) &&
+                             !std::strncmp(kind, name, size_t(colon - name)));
+    if (isKind && !std::strcmp(info.shaders[i].name, own))
       return &info.shaders[i];
+  }
   guarded([&] {
     std::string known;
     for (uint32_t i = 0; i < info.shader_count; ++i)
-      known += (i ? ", " : "") + std::string(info.shaders[i].name);
+      known += (i ? ", " : "") +
+               (colon ? anysl_kind_name(info.shaders[i].kind) + std::string(":") : std::string()) +
+               info.shaders[i].name;
     return fail(ANYSL_ERROR_NAME, library->loaded->path + ": no shader '" + (name ? name : "") +
                                       "'; it has " + (known.empty() ? "none" : known));
   });

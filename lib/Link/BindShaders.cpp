@@ -121,9 +121,9 @@ bool bindShaders(Session &session) {
   for (Shader &shader : session.shaders) {
     noteOperators(shader);
     shader.point = bindShader(*module.getFunction(pointName), *body, *shader.info.body,
-                              shader.info.name + ".point");
+                              shader.symbol + ".point");
     shader.init = bindShader(*module.getFunction(initName), *init, *shader.info.init,
-                             shader.info.name + ".init");
+                             shader.symbol + ".init");
     if (!shader.point || !shader.init) {
       session.diags.error("runtime '" + session.options.runtime + "' is wrong: '" + pointName +
                           "' and '" + initName + "' do not lead to the shader");

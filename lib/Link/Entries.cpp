@@ -33,7 +33,7 @@ public:
     auto *type =
         FunctionType::get(builder.getVoidTy(), {builder.getPtrTy(), integer, integer}, false);
     function = Function::Create(type, GlobalValue::InternalLinkage,
-                                shader.info.name + ".w" + std::to_string(width), *session.module);
+                                shader.symbol + ".w" + std::to_string(width), *session.module);
     args = function->getArg(0);
     first = function->getArg(1);
     last = function->getArg(2);

@@ -130,15 +130,19 @@ bool readInputs(Session &session, ArrayRef<std::string> files) {
       continue;
     }
     for (const stc::ShaderInfo &info : file->shaders) {
-      auto [entry, isNew] = seen.try_emplace(info.name, path);
+      auto [entry, isNew] = seen.try_emplace((nameOf(info.kind) + ":" + info.name).str(), path);
       if (!isNew) {
-        session.diags.error(FilePosition{path},
-                            "shader '" + info.name + "' is also in '" + entry->second + "'");
+        session.diags.error(FilePosition{path}, nameOf(info.kind) + " shader '" + info.name +
+                                                    "' is also in '" + entry->second + "'");
         good = false;
         continue;
       }
       Shader shader;
       shader.info = info;
+      shader.symbol = info.name;
+      if (any_of(session.shaders,
+                 [&](const Shader &other) { return other.info.name == info.name; }))
+        shader.symbol += "." + nameOf(info.kind).str();
       shader.fixed.resize(info.params.size());
       shader.report.name = info.name;
       shader.report.kind = nameOf(info.kind).str();

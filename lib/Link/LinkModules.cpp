@@ -83,9 +83,9 @@ private:
   void prepareShaders() {
     for (Shader &shader : session.shaders) {
       shader.info.body->setLinkage(GlobalValue::InternalLinkage);
-      shader.info.body->setName(shader.info.name + ".body");
+      shader.info.body->setName(shader.symbol + ".body");
       shader.info.init->setLinkage(GlobalValue::InternalLinkage);
-      shader.info.init->setName(shader.info.name + ".defaults");
+      shader.info.init->setName(shader.symbol + ".defaults");
     }
   }
 
@@ -244,8 +244,8 @@ bool ModuleLinker::merge() {
   session.layers.clear();
 
   for (Shader &shader : session.shaders) {
-    shader.info.body = session.module->getFunction(shader.info.name + ".body");
-    shader.info.init = session.module->getFunction(shader.info.name + ".defaults");
+    shader.info.body = session.module->getFunction(shader.symbol + ".body");
+    shader.info.init = session.module->getFunction(shader.symbol + ".defaults");
   }
   SmallVector<GlobalValue *> kept;
   for (StringRef name : variants.keys())

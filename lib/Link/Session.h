@@ -36,6 +36,9 @@ struct Entry {
 struct Shader {
   /// Names and parameters. `body` and `init` are there until the stage `bind`.
   stc::ShaderInfo info;
+  /// What the names of its functions begin with: its name, with its kind where another shader has
+  /// that name too.
+  std::string symbol;
   /// Which parameters are constants.
   llvm::BitVector fixed;
   /// void (ptr args, i32 point), from `bind` on.

@@ -25,7 +25,7 @@ namespace anysl::link {
 namespace {
 
 std::string formName(const Shader &shader, unsigned width, bool masked) {
-  return shader.info.name + (masked ? ".masked" : ".all") + std::to_string(width);
+  return shader.symbol + (masked ? ".masked" : ".all") + std::to_string(width);
 }
 
 /// `_ZGV_LLVM_N8ul_glass.point(glass.all8)`: the batch is the same for all lanes, the point's

@@ -163,8 +163,9 @@ Expected<std::vector<ShaderInfo>> readShaders(const Module &module) {
       auto shader = readShader(operand);
       if (!shader)
         return shader.takeError();
-      if (!names.insert(shader->name).second)
-        return malformed("two shaders '" + shader->name + "'");
+      // The shaders of a class have one name and different kinds.
+      if (!names.insert((nameOf(shader->kind) + ":" + shader->name).str()).second)
+        return malformed("two " + nameOf(shader->kind) + " shaders '" + shader->name + "'");
       if (!functions.insert(shader->body).second || !functions.insert(shader->init).second)
         return malformed("shader '" + shader->name + "' shares a function with another");
       shaders.push_back(std::move(*shader));

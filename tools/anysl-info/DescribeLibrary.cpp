@@ -84,7 +84,8 @@ Shader describeShader(const AnyslShaderInfo &info, AnyslLibrary *library) {
   shader.effects = bitNames(info.effects, effectNames);
   // Fails where the library is open for inspection only: then there are no defaults to show.
   AnyslInstance *instance = nullptr;
-  if (anysl_instance_create(library, info.name, nullptr, nullptr, &instance))
+  std::string exact = shader.kind + ":" + info.name;
+  if (anysl_instance_create(library, exact.c_str(), nullptr, nullptr, &instance))
     instance = nullptr;
   for (uint32_t i = 0; i < info.param_count; ++i)
     shader.params.push_back(describeParam(info.params[i], instance));

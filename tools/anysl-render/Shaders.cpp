@@ -85,7 +85,10 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
   std::string base = std::filesystem::path(use.name).filename().string();
   base = base.substr(0, base.find('.'));
   bool only = anysl_library_info(library)->shader_count == 1;
-  const AnyslShaderInfo *info = anysl_library_shader(library, only ? nullptr : base.c_str());
+  std::string exact = anysl_kind_name(uint32_t(use.kind)) + (":" + base);
+  const AnyslShaderInfo *info = anysl_library_shader(library, exact.c_str());
+  if (!info)
+    info = anysl_library_shader(library, only ? nullptr : base.c_str());
   if (!info)
     throw UserError(use.where, anysl_last_error());
   if (info->kind != uint32_t(use.kind))
@@ -98,7 +101,8 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
   shader->info = info;
   shader->space = Space(use.shaderToCamera);
   AnyslInstance *instance = nullptr;
-  if (anysl_instance_create(library, info->name, &services, shader.get(), &instance))
+  exact = anysl_kind_name(info->kind) + (":" + std::string(info->name));
+  if (anysl_instance_create(library, exact.c_str(), &services, shader.get(), &instance))
     throw UserError(use.where, anysl_last_error());
   shader->instance.reset(instance);
   shader->shade = anysl_shader_entry(info, width);
