@@ -218,7 +218,10 @@ enum class CallForm : uint8_t {
   ArrayLength,   ///< of a function's array parameter
   Spline,        ///< value, then an array or at least four knots; `basis` says which curve
   Query,         ///< name and variable
-  Ignored        ///< printf: arguments are evaluated, nothing else happens
+  Print,         ///< printf: a format and values
+  Format,        ///< the same as text
+  Concat,        ///< texts
+  ShaderName     ///< of the shader that is lowered
 };
 
 /// The curves that spline() knows.

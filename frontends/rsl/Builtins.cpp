@@ -106,9 +106,7 @@ struct Table {
         names.push_back(builtin.name);
       overloads.push_back(&builtin);
     }
-    // These have no fixed list of arguments.
-    for (StringRef name : {"arraylength", "spline", "printf"})
-      names.push_back(name);
+#define RSL_SPECIAL(result, name, arguments, meaning) names.push_back(#name);
 #define RSL_QUERY(name, meaning) names.push_back(#name);
 #include "frontends/rsl/Builtins.def"
   }
@@ -136,6 +134,17 @@ bool isQuery(StringRef name) {
 #include "frontends/rsl/Builtins.def"
   };
   return is_contained(names, name);
+}
+
+TypeKind specialResult(StringRef name) {
+#define RSL_SPECIAL(result, special, arguments, meaning)                                           \
+  if (name == #special)                                                                            \
+    return StringRef(#result) == "condition" ? TypeKind::Error : typeNamed(#result);
+#define RSL_QUERY(query, meaning)                                                                  \
+  if (name == #query)                                                                              \
+    return TypeKind::Float;
+#include "frontends/rsl/Builtins.def"
+  return TypeKind::Error;
 }
 
 StringRef missingFor(StringRef name) {

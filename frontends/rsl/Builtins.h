@@ -66,6 +66,9 @@ llvm::ArrayRef<const Builtin *> builtinsNamed(llvm::StringRef name);
 llvm::ArrayRef<llvm::StringRef> builtinNames();
 /// Whether a name is a query: float name(string, variable).
 bool isQuery(llvm::StringRef name);
+/// What a query or a built-in without a fixed list of arguments gives; Error if that depends on the
+/// arguments, or for any other name.
+TypeKind specialResult(llvm::StringRef name);
 /// What a built-in of RSL that this compiler does not have would need; empty for any other name.
 llvm::StringRef missingFor(llvm::StringRef name);
 /// `color mix(color, color, float)`

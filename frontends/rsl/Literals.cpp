@@ -33,7 +33,11 @@ std::string unquote(StringRef quoted) {
       value += static_cast<char>(code);
       continue;
     }
+    // Where C has no escape, the backslash stays for regular expressions: "\(a\|b\)".
     static constexpr StringLiteral names = "ntrbfva", values = "\n\t\r\b\f\v\a";
+    static constexpr StringLiteral special = "|+?(){}[].*^$";
+    if (special.contains(c))
+      value += '\\';
     size_t known = names.find(c);
     value += known == StringRef::npos ? c : values[known];
   }

@@ -231,6 +231,7 @@ bool Lowering::mayReadBeforeWrite(Value *slot) {
 void Lowering::lowerShader(const ShaderDecl &shader) {
   stc::ShaderInfo info;
   info.name = shader.name.str();
+  shaderName = shader.name;
   info.kind = static_cast<stc::ShaderKind>(shader.type);
   unsigned cell = 0;
   for (const VarDecl *param : shader.params) {

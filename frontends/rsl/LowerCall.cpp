@@ -41,16 +41,18 @@ Value *Lowering::lowerCall(const CallExpr &call) {
     at(call.loc);
     return number(slot->arrayLength);
   }
-  case CallForm::Ignored:
-    for (const Expr *arg : call.args)
-      if (arg->hasEffects)
-        lower(arg);
-    return nullptr;
+  case CallForm::Print:
+  case CallForm::Format:
+    return callFormat(call);
+  case CallForm::Concat:
+    return callConcat(call);
+  case CallForm::ShaderName:
+    return callShaderName(call);
   }
   llvm_unreachable("unknown form of call");
 }
 
-static bool effectsAfter(const CallExpr &call, size_t argument) {
+bool Lowering::effectsAfter(const CallExpr &call, size_t argument) {
   for (const Expr *later : ArrayRef<Expr *>(call.args).drop_front(argument + 1))
     if (later->hasEffects)
       return true;

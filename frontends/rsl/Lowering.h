@@ -113,6 +113,10 @@ private:
   Value *callComponentWise(const CallExpr &call);
   Value *callSpline(const CallExpr &call); // LowerSpline.cpp
   Value *callQuery(const CallExpr &call);
+  Value *callFormat(const CallExpr &call); // LowerText.cpp
+  Value *callConcat(const CallExpr &call);
+  Value *callShaderName(const CallExpr &call);
+  static bool effectsAfter(const CallExpr &call, size_t argument);
   bool hasContext(SMLoc loc);
 
   /// An operator of a family `name_<representation>`: copy_color, add_vector.
@@ -134,6 +138,7 @@ private:
   std::map<unsigned, Value *> lightGlobals; ///< inside illuminance: L and Cl
   std::set<unsigned> writtenGlobals;
   std::set<const VarDecl *> usedParams;
+  llvm::StringRef shaderName;
   const stc::ShaderInfo *initOf = nullptr; ///< set while defaults are computed
   llvm::BasicBlock *bodyBlock = nullptr;
   llvm::BasicBlock *exitBlock = nullptr;

@@ -13,6 +13,10 @@
 #include "lib/Support/Diagnostics.h"
 #include "llvm/ADT/StringMap.h"
 
+namespace anysl {
+struct FormatDirective;
+}
+
 namespace anysl::rsl {
 
 /// Holds a parsed file against the rules of RSL and completes the tree: every name gets its
@@ -165,7 +169,11 @@ private:
   Expr *checkArrayLengthCall(CallExpr &call);
   Expr *checkSpline(CallExpr &call, TypeKind hint);
   Expr *checkQuery(CallExpr &call);
-  Expr *checkPrintf(CallExpr &call);
+  // Text (SemaText.cpp)
+  Expr *checkFormat(CallExpr &call);
+  std::vector<FormatDirective> directivesOf(const StringExpr &format);
+  Expr *checkConcat(CallExpr &call);
+  Expr *checkShaderName(CallExpr &call);
   std::string signature(const Candidate &candidate);
   void useVarying();
 

@@ -119,7 +119,7 @@ Type Sema::probeInner(Expr *expr) {
     for (Type arg : args)
       if (arg.isTriple() && !builtinsNamed(call->name).empty())
         return arg;
-    return {call->name == "arraylength" || isQuery(call->name) ? TypeKind::Float : TypeKind::Error};
+    return {specialResult(call->name)};
   }
   case ExprKind::Comma:
     return probe(cast<CommaExpr>(expr)->elements.back());

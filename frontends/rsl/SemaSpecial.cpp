@@ -20,8 +20,12 @@ Expr *Sema::checkSpecial(CallExpr &call, TypeKind hint) {
     return checkArrayLengthCall(call);
   if (call.name == "spline")
     return checkSpline(call, hint);
-  if (call.name == "printf")
-    return checkPrintf(call);
+  if (call.name == "printf" || call.name == "format")
+    return checkFormat(call);
+  if (call.name == "concat")
+    return checkConcat(call);
+  if (call.name == "shadername")
+    return checkShaderName(call);
   return isQuery(call.name) ? checkQuery(call) : nullptr;
 }
 
@@ -153,22 +157,6 @@ Expr *Sema::checkQuery(CallExpr &call) {
         .range(call.range);
   call.type = {call.args[0]->type.isError() || call.args[1]->type.isError() ? TypeKind::Error
                                                                             : TypeKind::Float};
-  return &call;
-}
-
-Expr *Sema::checkPrintf(CallExpr &call) {
-  call.form = CallForm::Ignored;
-  call.type = {TypeKind::Void};
-  for (Expr *&arg : call.args) {
-    arg = check(arg);
-    call.hasEffects |= arg->hasEffects;
-    if (arg->type.is(TypeKind::Bool))
-      arg = convert(arg, {TypeKind::Float, arg->type.varying}, "an argument of 'printf'");
-  }
-  if (call.args.empty() ||
-      (!call.args[0]->type.is(TypeKind::String) && !call.args[0]->type.isError()))
-    diags.error(call.loc, "'printf' takes a format and values").range(call.nameRange);
-  diags.warning(call.loc, Unanswered, "'printf' prints nothing").range(call.nameRange);
   return &call;
 }
 

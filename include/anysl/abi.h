@@ -23,7 +23,7 @@ extern "C" {
 #endif
 
 /** Changes when any structure below does; a library of another version is refused. */
-#define ANYSL_ABI_VERSION 1
+#define ANYSL_ABI_VERSION 2
 /** The first field of AnyslLibraryInfo: "AnSL" read as a little-endian number. */
 #define ANYSL_MAGIC 0x4c536e41u
 /** The one symbol that a shader library exports, an AnyslLibraryInfo. */
@@ -132,6 +132,29 @@ typedef struct AnyslServices {
       the matrix alone where a name is unknown. Neutral: identity. */
   int (*space_matrix)(void *renderer, const struct AnyslShadeArgs *args, const char *from, const char *to,
                       double matrix[16]);
+  /**
+   * Text made while shading. libanysl has these; where they are null, its own count
+   * (lib/Host/Text.h), so that a renderer only gives what it wants to do otherwise, commonly
+   * `print`. A format has directives (<anysl/format.h>), numbered from 0; a value of AnyslType
+   * `type` lies in as many cells as that has components; type 0 stands for the rest of the format
+   * behind its first `index` directives.
+   *
+   * append: the text, then format from behind directive index - 1 up to directive `index`, then the
+   * value as the directive says. What it returns lives at least as long as the renderer shades and
+   * instances exist; equal arguments may give the same pointer. Neutral: the text.
+   */
+  const char *(*append)(void *renderer, const char *text, const char *format, uint32_t index,
+                        uint32_t type, const AnyslCell *value);
+  /** Adds the same to the line that a point prints; type 0 also prints the line. Neutral: nothing.
+   */
+  void (*print_value)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                      const char *format, uint32_t index, uint32_t type, const AnyslCell *value);
+  /** Whether a POSIX basic regular expression is found in a text. Neutral: 0. */
+  int (*match)(void *renderer, const char *pattern, const char *text);
+  /** What printf() made for one point; line ends are in the text. Called by libanysl's print_value.
+      libanysl's own writes to the standard output. */
+  void (*print)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                const char *text);
 } AnyslServices;
 
 /** A batch of points that share one set of parameters. The host fills it; shaders change only outputs. */

@@ -45,7 +45,7 @@ extern "C" {
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
 ANYSL_ASSERT_SIZE(AnyslLight, 56);
-ANYSL_ASSERT_SIZE(AnyslServices, 64);
+ANYSL_ASSERT_SIZE(AnyslServices, 96);
 ANYSL_ASSERT_SIZE(AnyslShadeArgs, 104);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
 ANYSL_ASSERT_SIZE(AnyslEntryInfo, 16);
@@ -146,8 +146,8 @@ ANYSL_API uint32_t anysl_shader_widest(const AnyslShaderInfo *shader);
 
 /**
  * A shader whose parameters have their defaults. \p services is what the renderer offers (null:
- * nothing) and must outlive the instance; \p renderer is handed back to every service. Both are
- * also there while defaults are computed, for `point "shader" (…)` and its like.
+ * nothing) and is copied; \p renderer is handed back to every service. Both are also there while
+ * defaults are computed, for `point "shader" (…)` and its like.
  */
 ANYSL_API AnyslStatus anysl_instance_create(AnyslLibrary *library, const char *shader,
                                             const AnyslServices *services, void *renderer,

@@ -271,7 +271,7 @@ AnyslStatus shade(const AnyslInstance &instance, const AnyslBatch &batch, uint32
   AnyslShadeArgs args = batch.args;
   args.params = const_cast<AnyslCell *>(instance.cells.data());
   args.param_is_set = instance.isSet.data();
-  args.services = instance.services;
+  args.services = &instance.services;
   args.renderer = instance.renderer;
   entry(&args, first, last);
   return ANYSL_OK;

@@ -6,16 +6,11 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Host/Internal.h"
+#include "lib/Host/Text.h"
 
 using namespace anysl::host;
 
 namespace {
-
-constexpr AnyslServices noServices = [] {
-  AnyslServices services = {};
-  services.struct_size = sizeof(AnyslServices);
-  return services;
-}();
 
 // What a default could read of a point: nothing but zeros. Large enough for either layout and
 // format.
@@ -143,7 +138,9 @@ AnyslStatus create(const AnyslLibrary &library, const char *name, const AnyslSer
   auto instance = std::make_unique<AnyslInstance>();
   instance->library = library.loaded;
   instance->shader = shader;
-  instance->services = services ? services : &noServices;
+  instance->services = services ? *services : AnyslServices{};
+  instance->services.struct_size = sizeof(AnyslServices);
+  completeTextServices(instance->services);
   instance->renderer = renderer;
   instance->cells.resize(shader->cell_count);
   instance->isSet.resize(shader->param_count);
@@ -225,7 +222,7 @@ void anysl_instance_fill_args(const AnyslInstance *instance, AnyslShadeArgs *arg
   args->struct_size = sizeof(AnyslShadeArgs);
   args->params = const_cast<AnyslCell *>(instance->cells.data());
   args->param_is_set = instance->isSet.data();
-  args->services = instance->services;
+  args->services = &instance->services;
   args->renderer = instance->renderer;
 }
 

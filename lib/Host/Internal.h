@@ -92,7 +92,7 @@ struct AnyslLibrary {
 struct AnyslInstance {
   anysl::host::LibraryRef library;
   const AnyslShaderInfo *shader;
-  const AnyslServices *services; ///< never null
+  AnyslServices services; ///< the renderer's, completed by libanysl's own
   void *renderer;
   std::vector<AnyslCell> cells;
   std::vector<uint8_t> isSet;                      ///< by parameter

@@ -10,5 +10,6 @@
 #include <anysl/standard/params.h>
 #include <anysl/standard/random.h>
 #include <anysl/standard/spaces.h>
+#include <anysl/standard/text.h>
 
 const AnyslLayout anysl_runtime_layout = ANYSL_LAYOUT_AOS;

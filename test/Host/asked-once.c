@@ -1,10 +1,13 @@
 // A renderer is asked for the matrix of a coordinate system once for all points, at every width, also by a shader
-// that looks at lights in between; a matrix whose name differs from point to point is asked for as needed.
+// that looks at lights in between; a matrix whose name differs from point to point is asked for as needed. So it is
+// with text.
 //
 // UNSUPPORTED: sanitizer
 // (it links a program without the sanitizer's runtime)
 // RUN: printf 'surface once() { point Q = transform("room", P); Ci = diffuse(N) + float noise(Q * 3); }' > %t.sl
 // RUN: printf 'surface names() { string n = "hall"; if (s > 0.5) n = "room"; Ci = xcomp(transform(n, P)); }' >> %t.sl
+// RUN: printf 'surface text(float k = 3) { Ci = diffuse(N); Ci = format("%%%%g+%%%%g", k, k) == "3+3" ? 1 : 2; }' >> %t.sl
+// RUN: printf 'surface texts() { Ci = format("%%%%g", s) == "1" ? 1 : 2; }' >> %t.sl
 // RUN: rslc %t.sl -o %t.stc.bc
 // RUN: anysl-link %t.stc.bc --runtime packet --width 1,4,8,16 -o %t.packet.so
 // RUN: anysl-link %t.stc.bc --runtime scalar --width 1,4,8,16 -o %t.scalar.so
@@ -13,6 +16,8 @@
 // RUN: %t %t.scalar.so | FileCheck %s
 // CHECK-COUNT-4: once: asked seldom, right
 // CHECK-COUNT-4: names: asked often, right
+// CHECK-COUNT-4: text: asked seldom, right
+// CHECK-COUNT-4: texts: asked often, right
 
 #include <anysl/anysl.h>
 #include <stdio.h>
@@ -31,13 +36,25 @@ static int spaceMatrix(void *renderer, const AnyslShadeArgs *args, const char *f
   return !strcmp(to, "room") || !strcmp(to, "hall");
 }
 
+/* "3", then "3+3"; or "0" and "1" */
+static const char *append(void *renderer, const char *text, const char *format, uint32_t index, uint32_t type,
+                          const AnyslCell *value) {
+  ++*(int *)renderer;
+  if (type != ANYSL_FLOAT || strlen(format) > 5)
+    return "?";
+  return index ? (!strcmp(text, "3") ? "3+3" : "?") : value->number == 3 ? "3" : value->number == 1 ? "1" : "0";
+}
+
 static void run(AnyslLibrary *library, const char *name, uint32_t width) {
   static float s[POINTS], Ci[POINTS][3];
   const float zero[3] = {0, 0, 0};
-  AnyslServices services = {sizeof services, 0, 0, 0, 0, 0, 0, spaceMatrix};
+  AnyslServices services = {0};
   AnyslInstance *instance = NULL;
   AnyslBatch *batch = NULL;
-  int i, calls = 0, right = 1, varying = !strcmp(name, "names");
+  int i, calls = 0, right = 1, varying = !strcmp(name, "names") || !strcmp(name, "texts");
+  services.struct_size = sizeof services;
+  services.space_matrix = spaceMatrix;
+  services.append = append;
   for (i = 0; i < POINTS; ++i)
     s[i] = (float)(i % 2);
   if (anysl_instance_create(library, name, &services, &calls, &instance) ||
@@ -65,6 +82,10 @@ int main(int argc, char **argv) {
     run(library, "once", widths[i]);
   for (i = 0; i < 4; ++i)
     run(library, "names", widths[i]);
+  for (i = 0; i < 4; ++i)
+    run(library, "text", widths[i]);
+  for (i = 0; i < 4; ++i)
+    run(library, "texts", widths[i]);
   anysl_library_close(library);
   return 0;
 }

@@ -167,6 +167,10 @@ int spaceMatrix(void *renderer, const AnyslShadeArgs *, const char *from, const 
   return 1;
 }
 
+void print(void *renderer, const AnyslShadeArgs *, uint32_t, const char *text) {
+  std::fputs(text, world(renderer).printTo);
+}
+
 } // namespace
 
 Environment::Environment() {
@@ -184,6 +188,7 @@ AnyslServices environmentServices() {
   services.transmission = transmission;
   services.transmission_packet = transmissionPacket;
   services.space_matrix = spaceMatrix;
+  services.print = print;
   return services;
 }
 

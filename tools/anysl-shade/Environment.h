@@ -26,6 +26,7 @@
 
 #include <anysl/abi.h>
 #include <array>
+#include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
@@ -40,6 +41,7 @@ struct Environment {
   Surroundings surroundings = Surroundings::Sky;
   std::map<std::string, Matrix> toCurrent; ///< by name of the coordinate system
   std::vector<AnyslLight> lights;
+  std::FILE *printTo = stdout; ///< what shaders print
   float ambient[3] = {0, 0, 0};
 
   Environment();

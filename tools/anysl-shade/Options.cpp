@@ -38,7 +38,8 @@ What to do with it:
   --print NAME             print a global or an output parameter (repeatable);
                            default: every global that the shader writes
   --json                   print {"width":W,"height":H,"NAME":[...],...}, one entry a point,
-                           row by row; a number, or an array of its components
+                           row by row; a number, or an array of its components; what the
+                           shader itself prints goes to the standard error output
   -o IMAGE                 write Ci as an image (.png, .exr, ...), row j = 0 on top; 8 and
                            16 bit images get the values as they are, without a gamma
   --bench                  time the shader at each width
@@ -317,6 +318,8 @@ std::optional<Options> parseOptions(int argc, char **argv) {
     else
       options.library = argv[arg];
   }
+  if (options.json)
+    options.environment.printTo = stderr;
   if (options.library.empty())
     fail("no shader library given; --help explains");
   if (!options.gridWidth)

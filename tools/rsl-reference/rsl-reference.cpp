@@ -36,6 +36,14 @@ void printBuiltins(raw_ostream &out) {
   }
 }
 
+void printSpecials(raw_ostream &out) {
+  out << "\n## With arguments of their own\n\n| built-in | meaning |\n|---|---|\n";
+#define RSL_SPECIAL(result, name, arguments, meaning)                                              \
+  out << "| `" << (StringRef(#result) == "condition" ? "" : #result " ") << #name arguments "` | " \
+      << cell(meaning) << " |\n";
+#include "frontends/rsl/Builtins.def"
+}
+
 void printQueries(raw_ostream &out) {
   out << "\n## Queries\n\n"
          "`float name(string, variable)` asks for a value by name, and gives 0 where nobody knows "
@@ -75,14 +83,15 @@ int main() {
          "their result, the context decides, and if it does not, the first.\n\n"
          "A function of floats alone also takes colors, points, vectors and normals, component by "
          "component: `sqrt(Cs)`, `pow(Cs, 2.2)`.\n\n"
-         "`min` and `max` take two or more arguments. `spline([basis,] value, knots)` takes an "
-         "array or at "
-         "least four knots of type float, color, point, vector or normal; the bases are "
-         "\"catmull-rom\" "
-         "(default), \"bezier\", \"bspline\", \"hermite\", \"power\" and \"linear\". "
-         "`arraylength(array)` is a "
-         "constant. `printf` is accepted and prints nothing, with a warning.\n\n";
+         "`min` and `max` take two or more arguments.\n\n"
+         "The directives of `printf` and `format` are `%f` `%e` `%g` for a float, `%d` for one "
+         "shown as an integer, `%p` for a point, vector or normal, `%c` for a color, `%m` for a "
+         "matrix, `%s` for a string, with flags, width and precision as in C; `%%` is a percent "
+         "sign. The numbers of triples and matrices are separated by blanks. A value of another "
+         "type than its directive's has its own type's form, with a warning if that is known at "
+         "compile time (`-Wno-format` silences it).\n\n";
   printBuiltins(out);
+  printSpecials(out);
   printQueries(out);
   printMissing(out);
 }

@@ -11,6 +11,7 @@
 using namespace anysl::rsl;
 
 TEST_CASE("escapes in strings") {
+  CHECK(unquote(R"("\(a\|b\)\+\\.")") == "\\(a\\|b\\)\\+\\.");
   CHECK(unquote("\"plain\"") == "plain");
   CHECK(unquote("\"\"").empty());
   CHECK(unquote(R"("a\nb\t\"\\")") == "a\nb\t\"\\");

@@ -21,8 +21,6 @@ surface special(uniform float u = 1) {
   x = option("Format", 1);                     // expected-error {{output argument 2 of 'option' needs a variable}} expected-warning {{nothing answers 'option'}}
   illuminance(P)
     lightsource("__nonspecular", Ci);          // expected-error {{'__nonspecular' is a float}}
-  printf("%f\n", x);                           // expected-warning {{'printf' prints nothing}}
-  printf(1);                                   // expected-error {{'printf' takes a format and values}} expected-warning {{'printf' prints nothing}}
   Ci = sqrt("a");                              // expected-error {{no function 'sqrt' takes (string)}}
   x = sqrt(Cs);                                // expected-error {{a value of type 'color' is no 'float'}}
   Ci = pow(Cs, N);                             // expected-error {{no function 'pow' takes (color, normal)}}
