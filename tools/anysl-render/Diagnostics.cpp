@@ -62,11 +62,13 @@ void Warnings::warn(const Location &where, const std::string &message) {
 }
 
 void Warnings::warnOnce(const std::string &key, const Location &where, const std::string &message) {
-  if (shown.insert(key).second)
-    std::fputs(formatMessage(where, "warning", message).c_str(), stderr);
+  if (!shown.insert(key).second)
+    return;
+  texts.push_back(formatMessage(where, "warning", message));
+  std::fputs(texts.back().c_str(), stderr);
 }
 
 bool Warnings::contains(std::string_view text) const {
-  return std::any_of(shown.begin(), shown.end(),
+  return std::any_of(texts.begin(), texts.end(),
                      [&](const std::string &each) { return each.find(text) != each.npos; });
 }

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace anysl::render {
 
@@ -65,6 +66,7 @@ public:
 
 private:
   std::set<std::string> shown;
+  std::vector<std::string> texts;
 };
 
 } // namespace anysl::render

@@ -38,7 +38,7 @@ uint32_t Dicing::segments(std::span<const SurfaceFrame> curve) const {
     double change = std::max(turn, std::max(longestU > 0 ? changeU / longestU : 0,
                                             longestV > 0 ? changeV / longestV : 0));
     // A chord of length l over a turn of a is l a / 8 off the arc. The arcs of n pieces: l a / n².
-    constexpr double tolerance = 0.1, mostTurn = 0.06;
+    constexpr double tolerance = 0.05, mostTurn = 0.06;
     count = std::max(std::sqrt(pixels * change / (8 * tolerance)), change / mostTurn);
   }
   // Written so that NaN gives 1.
@@ -50,14 +50,6 @@ uint32_t Dicing::segments(const std::function<SurfaceFrame(double)> &curve) cons
   for (size_t i = 0; i < 9; ++i)
     samples[i] = curve(double(i) / 8);
   return segments(samples);
-}
-
-VariableCounts PatchGrid::counts() const {
-  size_t corners = size_t(columns + !wrapsU) * (rows + !wrapsV);
-  return {.uniform = size_t(columns) * rows,
-          .varying = corners,
-          .vertex = 0,
-          .faceVarying = size_t(columns) * rows * 4};
 }
 
 void PatchGrid::value(const Variable &variable, StorageClass storage, uint32_t column, uint32_t row,
@@ -103,7 +95,7 @@ public:
   std::unique_ptr<Mesh> run(const ParameterList &variables);
 
 private:
-  std::vector<uint32_t> pieces(const Dicing &dicing, bool inU) const;
+  std::vector<uint32_t> pieces(const Dicing &dicing, bool inU);
   void addPatch(uint32_t column, uint32_t row);
   Vec3d normal(const SurfaceFrame &frame, uint32_t column, uint32_t row, double x, double y) const;
   void weld();
@@ -114,19 +106,26 @@ private:
 
   const PatchGrid &grid;
   const Placement &placement;
+  double longestU = 0, longestV = 0; ///< of the tangents
   Lines across, up;
   double tolerance = 0;
   std::unique_ptr<Mesh> mesh;
 };
 
-std::vector<uint32_t> GridDicer::pieces(const Dicing &dicing, bool inU) const {
+std::vector<uint32_t> GridDicer::pieces(const Dicing &dicing, bool inU) {
   // One number for a whole column or row, so that patches meet point by point.
-  std::vector<uint32_t> result(inU ? grid.columns : grid.rows, 1);
+  std::vector<uint32_t> result(inU ? grid.columns : grid.rows, 0);
   for (uint32_t row = 0; row < grid.rows; ++row)
     for (uint32_t column = 0; column < grid.columns; ++column)
       for (double side : {0.0, 0.5, 1.0}) {
+        if (grid.isEmpty(column, row))
+          continue;
         uint32_t count = dicing.segments([&](double x) {
-          return inU ? grid.evaluate(column, row, x, side) : grid.evaluate(column, row, side, x);
+          SurfaceFrame frame =
+              inU ? grid.evaluate(column, row, x, side) : grid.evaluate(column, row, side, x);
+          longestU = std::max(longestU, length(frame.dPdu));
+          longestV = std::max(longestV, length(frame.dPdv));
+          return frame;
         });
         uint32_t &most = result[inU ? column : row];
         most = std::max(most, count);
@@ -137,21 +136,23 @@ std::vector<uint32_t> GridDicer::pieces(const Dicing &dicing, bool inU) const {
     sum += count;
   if (sum > limit)
     for (uint32_t &count : result)
-      count = std::max(1u, uint32_t(count * (limit / sum)));
+      count = std::max(std::min(count, 1u), uint32_t(count * (limit / sum)));
   return result;
 }
 
 Vec3d GridDicer::normal(const SurfaceFrame &frame, uint32_t column, uint32_t row, double x,
                         double y) const {
-  Vec3d n = cross(frame.dPdu, frame.dPdv);
-  double size = length(frame.dPdu) * length(frame.dPdv);
+  auto isDegenerate = [&](const SurfaceFrame &f) {
+    double u = length(f.dPdu), v = length(f.dPdv);
+    return !(u > 1e-6 * longestU && v > 1e-6 * longestV &&
+             length(cross(f.dPdu, f.dPdv)) > 1e-9 * u * v);
+  };
   // Where a side of the patch has shrunk to a point, the normal is that of the surface beside it.
-  for (double step = 1e-6; step < 0.1 && !(length(n) > 1e-9 * size && size > 0); step *= 10) {
-    double towards = x < 0.5 ? 1 : -1, upwards = y < 0.5 ? 1 : -1;
-    SurfaceFrame beside = grid.evaluate(column, row, x + towards * step, y + upwards * step);
-    n = cross(beside.dPdu, beside.dPdv);
-    size = length(beside.dPdu) * length(beside.dPdv);
-  }
+  SurfaceFrame beside = frame;
+  double towards = x < 0.5 ? 1 : -1, upwards = y < 0.5 ? 1 : -1;
+  for (double step = 1e-5; step < 0.1 && isDegenerate(beside); step *= 4)
+    beside = grid.evaluate(column, row, x + towards * step, y + upwards * step);
+  Vec3d n = cross(beside.dPdu, beside.dPdv);
   return normalized(n) * placement.normalSign;
 }
 
@@ -236,7 +237,8 @@ std::unique_ptr<Mesh> GridDicer::run(const ParameterList &variables) {
   mesh->normals.components = 3;
   for (uint32_t row = 0; row < grid.rows; ++row)
     for (uint32_t column = 0; column < grid.columns; ++column)
-      addPatch(column, row);
+      if (!grid.isEmpty(column, row))
+        addPatch(column, row);
   for (const Vec3f &p : mesh->points)
     tolerance = std::max(tolerance, 4e-7 * double(maxAbs(p)));
   weld();
@@ -259,6 +261,8 @@ std::unique_ptr<Mesh> GridDicer::run(const ParameterList &variables) {
     for (uint32_t row = 0; row < grid.rows; ++row)
       for (uint32_t column = 0; column < grid.columns; ++column) {
         uint32_t nx = across.pieces[column], ny = up.pieces[row];
+        if (grid.isEmpty(column, row))
+          continue;
         for (uint32_t j = 0; j <= ny; ++j)
           for (uint32_t i = 0; i <= nx; ++i) {
             grid.value(given, storage, column, row, double(i) / nx, double(j) / ny, value.data());

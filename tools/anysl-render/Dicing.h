@@ -48,15 +48,16 @@ public:
   /// The surface in camera space, with its parameters and the derivatives by them. The normal is
   /// left out.
   virtual SurfaceFrame evaluate(uint32_t column, uint32_t row, double x, double y) const = 0;
+  /// Whether a patch has no extent, as between equal knots; it is not evaluated.
+  virtual bool isEmpty(uint32_t, uint32_t) const { return false; }
   /// A variable of class vertex.
   virtual void vertexValue(const Variable &variable, uint32_t column, uint32_t row, double x,
                            double y, float *value) const = 0;
 
   uint32_t columns, rows;
   bool wrapsU, wrapsV; ///< the last patches border on the first
-  /// How many values variables have of each class, but for vertex.
-  VariableCounts counts() const;
 
+  /// The value of a variable of any class that is not the same all over a patch.
   void value(const Variable &variable, StorageClass storage, uint32_t column, uint32_t row,
              double x, double y, float *value) const;
 };

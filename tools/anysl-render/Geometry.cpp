@@ -82,9 +82,9 @@ Geometry::Geometry(const SceneDescription &description, const Camera &camera,
         set = std::make_unique<QuadricSet>();
       set->add(*swept, shape.variables, placement, owner);
     } else {
-      std::unique_ptr<Mesh> mesh =
-          swept ? tessellate(*swept, shape.variables, placement, dicing)
-                : tessellate(std::get<PolygonShape>(shape.geometry), shape.variables, placement);
+      std::unique_ptr<Mesh> mesh = std::visit(
+          [&](const auto &kind) { return tessellate(kind, shape.variables, placement, dicing); },
+          shape.geometry);
       mesh->itsOwner = owner;
       attach(std::move(mesh), mask);
     }

@@ -33,7 +33,7 @@ Domain domainOf(StorageClass storage) {
 
 std::unique_ptr<Mesh> anysl::render::tessellate(const PolygonShape &shape,
                                                 const ParameterList &variables,
-                                                const Placement &placement) {
+                                                const Placement &placement, const Dicing &) {
   auto mesh = std::make_unique<Mesh>(placement);
   std::vector<Vec3d> places = positions(variables);
   mesh->points.reserve(places.size() + 1);

@@ -45,6 +45,14 @@ size_t VariableCounts::of(StorageClass storage) const {
   return 1;
 }
 
+VariableCounts VariableCounts::ofPatches(size_t columns, size_t rows, bool wrapsU, bool wrapsV,
+                                         size_t vertices) {
+  return {.uniform = columns * rows,
+          .varying = (columns + !wrapsU) * (rows + !wrapsV),
+          .vertex = vertices,
+          .faceVarying = columns * rows * 4};
+}
+
 void anysl::render::checkVariables(ParameterList &variables, const VariableCounts &counts,
                                    Warnings &warnings) {
   static constexpr const char *storageNames[] = {"constant", "uniform", "varying", "vertex",

@@ -25,6 +25,9 @@ const Declaration *standardVariable(std::string_view name);
 struct VariableCounts {
   size_t uniform = 1, varying = 1, vertex = 1, faceVarying = 1;
   size_t of(StorageClass storage) const;
+  /// Of columns x rows patches, which border on each other round the back where they wrap.
+  static VariableCounts ofPatches(size_t columns, size_t rows, bool wrapsU, bool wrapsV,
+                                  size_t vertices);
 };
 
 /// Gives each variable its declaration, erases those that have none, with a warning, and throws

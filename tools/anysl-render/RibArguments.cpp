@@ -27,6 +27,29 @@ const RibArgument &RibArguments::take(const char *what) {
   return request.arguments[next++];
 }
 
+bool RibArguments::nextIsText() const {
+  return !empty() && !request.arguments[next].isArray && !request.arguments[next].strings.empty();
+}
+
+bool RibArguments::nextIsArray() const { return !empty() && request.arguments[next].isArray; }
+
+uint32_t RibArguments::count(const char *what) {
+  double value = number(what);
+  if (!(value >= 0 && value <= 4e9 && value == std::floor(value)))
+    throw UserError(request.where, request.name + ": " + what + ": " + std::to_string(value) +
+                                       " is not a whole number of at least 0");
+  return uint32_t(value);
+}
+
+std::vector<std::string> RibArguments::strings(const char *what) {
+  const RibArgument &argument = take(what);
+  if (!argument.isArray || !argument.numbers.empty())
+    throw UserError(argument.where, request.name + ": " + what +
+                                        ": expected an array of strings, found " +
+                                        kindName(argument));
+  return argument.strings;
+}
+
 double RibArguments::number(const char *what) { return numbers(1, what)[0]; }
 
 std::vector<double> RibArguments::numbers(size_t count, const char *what) {

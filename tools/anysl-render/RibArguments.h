@@ -36,7 +36,13 @@ public:
   const Location &where() const { return request.where; }
   bool empty() const { return next == request.arguments.size(); }
 
+  /// Whether a string comes next; whether an array does.
+  bool nextIsText() const;
+  bool nextIsArray() const;
+
   double number(const char *what);
+  /// A whole number of at least 0.
+  uint32_t count(const char *what);
   std::string string(const char *what);
   /// `count` numbers, one by one or as an array.
   std::vector<double> numbers(size_t count, const char *what);
@@ -46,6 +52,8 @@ public:
   std::vector<double> array(const char *what);
   /// An array of indices or counts, none of them negative.
   std::vector<uint32_t> indices(const char *what);
+  /// An array of strings of any length.
+  std::vector<std::string> strings(const char *what);
   /// A light's or object's name: a number or a string.
   std::string handle(const char *what);
   /// All that is left, as pairs of a name and its values.

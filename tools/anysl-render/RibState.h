@@ -45,6 +45,7 @@ private:
     Appearance appearance;
     Matrix4 transform = Matrix4::identity(); ///< object to camera
     bool lightShadows = true;
+    Basis basisU = Basis::bezier, basisV = Basis::bezier;
   };
 
 #define RIB_REQUEST(name, handler) void handler(RibArguments &);
@@ -60,6 +61,7 @@ private:
   void addShape(ShapeGeometry geometry, ParameterList variables, const VariableCounts &counts,
                 RibArguments &arguments);
   void addPolygons(PolygonShape shape, ParameterList variables, RibArguments &arguments);
+  void addPatches(PatchShape shape, RibArguments &arguments);
   void addQuadric(QuadricShape shape, RibArguments &arguments);
   /// Warns once that a name of an option, attribute or parameter means nothing here.
   void warnUnknown(const char *what, const std::string &name, const Location &where);

@@ -15,6 +15,7 @@
 #ifndef ANYSL_RENDER_SCENEDESCRIPTION_H
 #define ANYSL_RENDER_SCENEDESCRIPTION_H
 
+#include "tools/anysl-render/Basis.h"
 #include "tools/anysl-render/Diagnostics.h"
 #include "tools/anysl-render/Linear.h"
 
@@ -108,7 +109,30 @@ struct PolygonShape {
   std::vector<uint32_t> vertices;     ///< of all loops: indices into the positions
 };
 
-using ShapeGeometry = std::variant<QuadricShape, PolygonShape>;
+/// Bilinear or bicubic patches that share their control points, the points of a row in u together.
+struct PatchShape {
+  struct Direction {
+    Basis basis = Basis::bezier;
+    uint32_t count = 0; ///< control points
+    bool wraps = false; ///< the last ones are followed by the first
+    uint32_t segments(bool cubic) const;
+  };
+  bool cubic = false;
+  Direction u, v;
+};
+
+/// A non-uniform rational B-spline surface.
+struct NurbsShape {
+  struct Direction {
+    uint32_t count = 0, order = 0; ///< control points; degree + 1
+    std::vector<double> knots;     ///< count + order
+    double min = 0, max = 1;       ///< the part that is drawn
+    uint32_t segments() const { return count - order + 1; }
+  };
+  Direction u, v;
+};
+
+using ShapeGeometry = std::variant<QuadricShape, PolygonShape, PatchShape, NurbsShape>;
 
 struct Shape {
   ShapeGeometry geometry;

@@ -14,10 +14,16 @@ namespace anysl::render {
 
 /// Cuts polygons, with their holes, into triangles.
 std::unique_ptr<Mesh> tessellate(const PolygonShape &shape, const ParameterList &variables,
-                                 const Placement &placement);
+                                 const Placement &placement, const Dicing &dicing);
 
 /// Cuts a swept surface, quadric or not, into facets.
 std::unique_ptr<Mesh> tessellate(const QuadricShape &shape, const ParameterList &variables,
+                                 const Placement &placement, const Dicing &dicing);
+
+/// Cuts patches into facets.
+std::unique_ptr<Mesh> tessellate(const PatchShape &shape, const ParameterList &variables,
+                                 const Placement &placement, const Dicing &dicing);
+std::unique_ptr<Mesh> tessellate(const NurbsShape &shape, const ParameterList &variables,
                                  const Placement &placement, const Dicing &dicing);
 
 } // namespace anysl::render
