@@ -6,6 +6,8 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Geometry.h"
+#include "tools/anysl-render/Curves.h"
+#include "tools/anysl-render/PointSet.h"
 #include "tools/anysl-render/QuadricSet.h"
 #include "tools/anysl-render/Tessellate.h"
 
@@ -81,13 +83,18 @@ Geometry::Geometry(const SceneDescription &description, const Camera &camera,
       if (!set)
         set = std::make_unique<QuadricSet>();
       set->add(*swept, shape.variables, placement, owner);
-    } else {
-      std::unique_ptr<Mesh> mesh = std::visit(
-          [&](const auto &kind) { return tessellate(kind, shape.variables, placement, dicing); },
-          shape.geometry);
-      mesh->itsOwner = owner;
-      attach(std::move(mesh), mask);
+      continue;
     }
+    std::unique_ptr<ShapeSurface> surface;
+    const auto *curves = std::get_if<CurvesShape>(&shape.geometry);
+    if (curves && !findParameter(shape.variables, "N"))
+      surface = std::make_unique<CurveSet>(*curves, shape.variables, placement);
+    else if (std::holds_alternative<PointsShape>(shape.geometry))
+      surface = std::make_unique<PointSet>(shape.variables, placement);
+    else
+      surface = tessellate(shape, placement, dicing);
+    surface->itsOwner = owner;
+    attach(std::move(surface), mask);
   }
   for (auto &[mask, set] : quadrics)
     attach(std::move(set), mask);

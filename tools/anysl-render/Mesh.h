@@ -16,13 +16,11 @@ namespace anysl::render {
 /// facets of a smooth surface. Facets that meet share points, so that no ray slips between them;
 /// where something else than the place differs from one side to the other, such as a normal at a
 /// crease or a texture coordinate at a seam, they have corners of their own at a shared point.
-class Mesh : public SurfaceSet {
+class Mesh : public ShapeSurface {
 public:
   explicit Mesh(const Placement &placement) : placement(placement) {}
 
   RTCGeometry make(RTCDevice device) override;
-  const SurfaceOwner &owner(uint32_t) const override { return itsOwner; }
-  const SurfaceVariables &variables(uint32_t) const override { return values; }
   bool hasUnitParameters() const override { return !parameters.empty(); }
   void evaluate(const Hit &hit, Vec3f origin, Vec3f direction, const SurfaceNeeds &needs,
                 SurfacePoint &point) const override;
@@ -35,7 +33,6 @@ public:
   void addTriangle(uint32_t a, uint32_t b, uint32_t c) { triangles.push_back({a, b, c}); }
 
   Placement placement;
-  SurfaceOwner itsOwner;
   std::vector<Vec3f> points;
   std::vector<std::array<uint32_t, 3>> triangles; ///< indices into points
   std::vector<std::array<uint32_t, 3>> corners;   ///< of each triangle; empty: as `triangles`
@@ -43,7 +40,6 @@ public:
   Variable normals;                               ///< shading normals; no values: none
   std::vector<std::array<float, 2>> parameters; ///< u and v by corner; none: x and y of the object
   std::vector<Vec3f> dPdu, dPdv;                ///< by corner, if there are parameters
-  SurfaceVariables values;
 
 private:
   /// The three values of a variable's component at a triangle's corners.

@@ -95,6 +95,10 @@ bool anysl::render::isPosition(std::string_view name) {
   return name == "P" || name == "Pw" || name == "Pz";
 }
 
+bool anysl::render::hasPositions(const ParameterList &variables) {
+  return findParameter(variables, "P") || findParameter(variables, "Pw");
+}
+
 std::vector<Vec3d> anysl::render::positions(const ParameterList &variables) {
   std::vector<Vec3d> result;
   if (const Parameter *p = findParameter(variables, "P")) {
@@ -114,6 +118,11 @@ Placement::Placement(const Matrix4 &objectToCamera, const Appearance &appearance
   Vec3d x = toCamera.vector({1, 0, 0}), y = toCamera.vector({0, 1, 0});
   bool mirrors = dot(cross(x, y), toCamera.vector({0, 0, 1})) < 0;
   normalSign = mirrors != reverse ? -1 : 1;
+}
+
+double Placement::lengthScale() const {
+  Vec3d x = toCamera.vector({1, 0, 0}), y = toCamera.vector({0, 1, 0});
+  return std::cbrt(std::fabs(dot(cross(x, y), toCamera.vector({0, 0, 1}))));
 }
 
 Variable anysl::render::cameraVariable(const Parameter &parameter, const Placement &placement) {

@@ -36,6 +36,7 @@ void checkVariables(ParameterList &variables, const VariableCounts &counts, Warn
 
 /// The places of "P", or of "Pw" divided by their weights, in object space.
 std::vector<Vec3d> positions(const ParameterList &variables);
+bool hasPositions(const ParameterList &variables);
 /// Whether a name is one of those that tell where the shape lies, rather than a value on it.
 bool isPosition(std::string_view name);
 
@@ -48,6 +49,8 @@ struct Placement {
   double normalSign;
 
   Placement(const Matrix4 &objectToCamera, const Appearance &appearance);
+  /// How much longer lengths become in camera space, on the average of all directions.
+  double lengthScale() const;
   /// A normal given in object space, in camera space and of unit length.
   Vec3d normal(Vec3d n) const {
     return normalized(toObject.normalByInverse(n)) * (reverse ? -1. : 1.);

@@ -132,7 +132,42 @@ struct NurbsShape {
   Direction u, v;
 };
 
-using ShapeGeometry = std::variant<QuadricShape, PolygonShape, PatchShape, NurbsShape>;
+/// A Catmull-Clark surface.
+struct SubdivisionShape {
+  std::vector<uint32_t> vertexCounts; ///< of each face
+  std::vector<uint32_t> vertices;     ///< of all faces: indices into the positions
+  enum class Boundary {
+    None,            ///< the surface ends where a vertex is not surrounded by faces
+    EdgesAndCorners, ///< it goes to the boundary, and through a vertex of one face
+    Edges,           ///< it goes to the boundary, which is smooth
+  } boundary = Boundary::None;
+  struct Crease {
+    uint32_t a, b;
+    double sharpness; ///< may be infinite
+  };
+  std::vector<Crease> creases;
+  struct Corner {
+    uint32_t vertex;
+    double sharpness;
+  };
+  std::vector<Corner> corners;
+  std::vector<uint32_t> holes; ///< faces that are not there
+};
+
+/// Ribbons along curves.
+struct CurvesShape {
+  bool cubic = false, wraps = false;
+  Basis basis = Basis::bezier;
+  std::vector<uint32_t> counts; ///< vertices of each curve
+  /// How many segments so many vertices make; 0: they do not fit.
+  uint32_t segments(uint32_t count) const;
+};
+
+/// Particles at the positions.
+struct PointsShape {};
+
+using ShapeGeometry = std::variant<QuadricShape, PolygonShape, PatchShape, NurbsShape,
+                                   SubdivisionShape, CurvesShape, PointsShape>;
 
 struct Shape {
   ShapeGeometry geometry;

@@ -88,6 +88,16 @@ public:
                              const SurfacePoint &point, double &byU, double &byV) const = 0;
 };
 
+/// All of one shape.
+class ShapeSurface : public SurfaceSet {
+public:
+  const SurfaceOwner &owner(uint32_t) const override { return itsOwner; }
+  const SurfaceVariables &variables(uint32_t) const override { return values; }
+
+  SurfaceOwner itsOwner;
+  SurfaceVariables values;
+};
+
 } // namespace anysl::render
 
 #endif

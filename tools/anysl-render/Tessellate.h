@@ -26,6 +26,17 @@ std::unique_ptr<Mesh> tessellate(const PatchShape &shape, const ParameterList &v
 std::unique_ptr<Mesh> tessellate(const NurbsShape &shape, const ParameterList &variables,
                                  const Placement &placement, const Dicing &dicing);
 
+/// Cuts a subdivision surface into facets.
+std::unique_ptr<Mesh> tessellate(const SubdivisionShape &shape, const ParameterList &variables,
+                                 const Placement &placement, const Dicing &dicing);
+/// Cuts ribbons into facets that face as their normals do, or else the eye.
+std::unique_ptr<Mesh> tessellate(const CurvesShape &shape, const ParameterList &variables,
+                                 const Placement &placement, const Dicing &dicing);
+
+/// The facets of any shape that has some; null for one that has not, as points.
+std::unique_ptr<Mesh> tessellate(const Shape &shape, const Placement &placement,
+                                 const Dicing &dicing);
+
 } // namespace anysl::render
 
 #endif

@@ -28,28 +28,6 @@ std::string list(const std::vector<double> &numbers) {
   return text + "]";
 }
 
-/// The facets of a scene's first shape.
-std::unique_ptr<Mesh> facets(const TestScene &scene) {
-  const Shape &shape = scene.description.shapes.at(0);
-  Camera camera(scene.description.camera);
-  return std::visit(
-      [&](const auto &kind) {
-        return tessellate(kind, shape.variables,
-                          Placement(shape.objectToCamera, scene.description.appearances.at(0)),
-                          Dicing(camera));
-      },
-      shape.geometry);
-}
-
-double area(const Mesh &mesh) {
-  double sum = 0;
-  for (const auto &[a, b, c] : mesh.triangles) {
-    Vec3d p(mesh.points[a]), q(mesh.points[b]), r(mesh.points[c]);
-    sum += 0.5 * length(cross(q - p, r - p));
-  }
-  return sum;
-}
-
 Vec3d vector(const Mesh &mesh, size_t corner) {
   const float *n = mesh.normals.at(corner);
   return {n[0], n[1], n[2]};

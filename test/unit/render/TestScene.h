@@ -10,6 +10,7 @@
 
 #include "tools/anysl-render/Geometry.h"
 #include "tools/anysl-render/RibReader.h"
+#include "tools/anysl-render/Tessellate.h"
 
 #include <cstring>
 #include <optional>
@@ -64,6 +65,23 @@ struct TestScene {
   std::vector<uint32_t> groups;
   std::unique_ptr<Geometry> geometry;
 };
+
+/// The facets of a scene's first shape.
+inline std::unique_ptr<Mesh> facets(const TestScene &scene) {
+  const Shape &shape = scene.description.shapes.at(0);
+  Camera camera(scene.description.camera);
+  return tessellate(shape, Placement(shape.objectToCamera, scene.description.appearances.at(0)),
+                    Dicing(camera));
+}
+
+inline double area(const Mesh &mesh) {
+  double sum = 0;
+  for (const auto &[a, b, c] : mesh.triangles) {
+    Vec3d p(mesh.points[a]), q(mesh.points[b]), r(mesh.points[c]);
+    sum += 0.5 * length(cross(q - p, r - p));
+  }
+  return sum;
+}
 
 } // namespace anysl::render
 
