@@ -233,9 +233,12 @@ struct CallExpr : Expr {
   llvm::MutableArrayRef<Expr *> args; ///< from Sema on: structures as their members
   Expr *object = nullptr;             ///< what a method is called on, null if none is written
   ArrayRef<Expr *> self;              ///< from Sema on: the object's members, where it is another
+  llvm::MutableArrayRef<Expr *> rest; ///< what follows `args`, once Sema has told them apart
+  ArrayRef<Expr *> named;             ///< the value of each field of NamedArguments.def, or null
   FunctionDecl *function = nullptr;   ///< one of these, from Sema on
   const Builtin *builtin = nullptr;
   CallForm form = CallForm::Function;
+  bool isSplit = false; ///< `rest` has been told from `args`
   SplineBasis basis = SplineBasis::CatmullRom;
   CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
       : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {

@@ -8,6 +8,7 @@
 #include "frontends/rsl/Builtins.h"
 
 #include "lib/STC/Shader.h"
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/ADT/StringSwitch.h"
@@ -67,12 +68,54 @@ BuiltinOperand parseOperand(StringRef text) {
   return operand;
 }
 
+/// Adds one row of NamedArguments.def to its group.
+void addField(std::vector<NamedGroup> &groups, StringRef group, StringRef field, StringRef type,
+              double number) {
+  if (groups.empty() || groups.back().name != group)
+    groups.push_back({group, {}, {}});
+  groups.back().fields.push_back({field, typeNamed(type), number});
+}
+
+void addArgument(std::vector<NamedGroup> &groups, StringRef name, StringRef type, StringRef fields,
+                 StringRef meaning) {
+  NamedGroup &group = groups.back();
+  NamedGroup::Argument argument{name, typeNamed(type), {}, meaning};
+  SmallVector<StringRef, 4> parts;
+  fields.drop_front().drop_back().split(parts, ',', -1, /*KeepEmpty=*/false);
+  for (StringRef part : parts) {
+    auto *field = find_if(group.fields, [&](auto &known) { return known.name == part.trim(); });
+    assert(field != group.fields.end() && "NamedArguments.def names an unknown field");
+    argument.fields.push_back(unsigned(field - group.fields.begin()));
+  }
+  group.arguments.push_back(argument);
+}
+
 struct Table {
+  std::vector<NamedGroup> groups;
   std::vector<Builtin> builtins;
   StringMap<SmallVector<const Builtin *, 4>> byName;
   std::vector<StringRef> names;
 
+  /// The operands that `named GROUP` stands for.
+  void addNamed(Builtin &builtin, StringRef groupName) {
+    auto group = find_if(groups, [&](auto &known) { return known.name == groupName; });
+    assert(group != groups.end() && "Builtins.def names an unknown group");
+    builtin.named = &*group;
+    for (auto [i, field] : enumerate(group->fields)) {
+      BuiltinOperand operand;
+      operand.source = BuiltinOperand::Named;
+      operand.type = field.type;
+      operand.number = field.number;
+      operand.field = unsigned(i);
+      builtin.operands.push_back(operand);
+    }
+  }
+
   Table() {
+#define RSL_NAMED_FIELD(group, field, type, number) addField(groups, #group, #field, #type, number);
+#define RSL_NAMED_ARGUMENT(group, name, type, fields, meaning)                                     \
+  addArgument(groups, #name, #type, #fields, meaning);
+#include "frontends/rsl/NamedArguments.def"
     struct Row {
       StringRef result, name, operands;
       stc::Op op;
@@ -85,11 +128,20 @@ struct Table {
     };
     builtins.reserve(std::size(rows));
     for (const Row &row : rows) {
-      Builtin builtin{row.name, typeNamed(row.result), {}, row.op, row.meaning, {}};
+      Builtin builtin{row.name, typeNamed(row.result), {}, row.op, row.meaning, {}, nullptr, false};
       SmallVector<StringRef, 8> parts;
       row.operands.drop_front().drop_back().split(parts, ',', -1, /*KeepEmpty=*/false);
       for (StringRef part : parts) {
-        BuiltinOperand operand = parseOperand(part.trim());
+        part = part.trim();
+        if (part == "rest") {
+          builtin.takesRest = true;
+          continue;
+        }
+        if (part.consume_front("named ")) {
+          addNamed(builtin, part.trim());
+          continue;
+        }
+        BuiltinOperand operand = parseOperand(part);
         if (operand.source <= BuiltinOperand::InOut)
           builtin.arguments.push_back({operand.type, operand.source != BuiltinOperand::Out,
                                        operand.source != BuiltinOperand::In});
@@ -118,6 +170,15 @@ const Table &table() {
 }
 
 } // namespace
+
+const NamedGroup::Argument *NamedGroup::argumentNamed(StringRef wanted) const {
+  for (const Argument &argument : arguments)
+    if (argument.name == wanted)
+      return &argument;
+  return nullptr;
+}
+
+ArrayRef<NamedGroup> namedGroups() { return table().groups; }
 
 ArrayRef<Builtin> allBuiltins() { return table().builtins; }
 
@@ -162,6 +223,8 @@ std::string signature(const Builtin &builtin) {
       text += ", ";
     text += (argument.isOut ? "output " : "") + nameOf(argument.type).str();
   }
+  if (builtin.named || builtin.takesRest)
+    text += StringRef(text).ends_with("(") ? "..." : ", ...";
   return text + ")";
 }
 

@@ -28,12 +28,14 @@ struct BuiltinOperand {
     Discard,
     Light,
     SpaceTo,
-    SpaceFromTo
+    SpaceFromTo,
+    Named
   };
   Source source = In;
-  TypeKind type = TypeKind::Float; ///< In, Out, InOut
+  TypeKind type = TypeKind::Float; ///< In, Out, InOut, Named
   int global = -1;                 ///< Global: as in Globals.def
-  double number = 0;               ///< Number
+  double number = 0;               ///< Number; Named: the default
+  unsigned field = 0;              ///< Named: number of the field in its group
   llvm::StringRef text;            ///< Text
 
   /// How many arguments of the call it takes.
@@ -41,6 +43,29 @@ struct BuiltinOperand {
     return source <= InOut || source == SpaceTo ? 1 : source == SpaceFromTo ? 2 : 0;
   }
 };
+
+/// A group of NamedArguments.def: what calls take behind their other arguments as "name", value.
+struct NamedGroup {
+  struct Field {
+    llvm::StringRef name;
+    TypeKind type;
+    double number; ///< the default; of a string it is ""
+  };
+  struct Argument {
+    llvm::StringRef name;
+    TypeKind type;
+    llvm::SmallVector<unsigned, 2> fields; ///< that it sets
+    llvm::StringRef meaning;
+  };
+  llvm::StringRef name;
+  llvm::SmallVector<Field, 10> fields;
+  llvm::SmallVector<Argument, 20> arguments;
+
+  const Argument *argumentNamed(llvm::StringRef name) const;
+};
+
+/// Every group, in the table's order.
+llvm::ArrayRef<NamedGroup> namedGroups();
 
 /// One overload of a built-in.
 struct Builtin {
@@ -56,6 +81,8 @@ struct Builtin {
   };
   /// The arguments of a call, in order.
   llvm::SmallVector<Argument, 8> arguments;
+  const NamedGroup *named = nullptr; ///< the arguments by name that it takes; null: none
+  bool takesRest = false;            ///< any further arguments, which mean nothing to it
 };
 
 /// Every overload, in the table's order.

@@ -59,6 +59,21 @@ bool Lowering::effectsAfter(const CallExpr &call, size_t argument) {
   return false;
 }
 
+/// The value of a field of NamedArguments.def: the call's own, or the default.
+Value *Lowering::lowerNamed(const CallExpr &call, const BuiltinOperand &operand) {
+  const Expr *given = call.named[operand.field];
+  if (!given) {
+    at(call.loc);
+    return operand.type == TypeKind::String ? text("") : number(operand.number);
+  }
+  // One argument may set several fields, and has its effects once.
+  if (Value *known = namedValues.lookup(given))
+    return known;
+  Value *value = lowerBefore(given, true);
+  namedValues[given] = value;
+  return value;
+}
+
 Value *Lowering::callBuiltin(const CallExpr &call) {
   const Builtin &builtin = *call.builtin;
   const stc::OpInfo &op = stc::info(builtin.op);
@@ -109,6 +124,9 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
         diags.error(call.loc, "'" + call.name + "' exists only inside of 'illuminance'");
       values.push_back(lightIndex ? lightIndex : b.index(0));
       break;
+    case BuiltinOperand::Named:
+      values.push_back(lowerNamed(call, operand));
+      break;
     case BuiltinOperand::SpaceTo: {
       Value *to = lower(call.args[nextArg++]);
       values.push_back(spaceMatrix(text("current"), to, call.loc));
@@ -122,6 +140,12 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
     }
     }
   }
+  for (const Expr *named : call.named)
+    namedValues.erase(named);
+  // What no operand takes may still assign something.
+  for (const Expr *arg : call.rest)
+    if (arg->hasEffects && !is_contained(call.named, arg))
+      lower(arg);
   at(call.loc);
   if (op.takesContext() && !hasContext(call.loc))
     return call.type.is(TypeKind::Bool)   ? b.ir().getFalse()

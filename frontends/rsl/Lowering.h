@@ -109,6 +109,7 @@ private:
   // Calls (LowerCall.cpp)
   Value *lowerCall(const CallExpr &call);
   Value *callBuiltin(const CallExpr &call);
+  Value *lowerNamed(const CallExpr &call, const BuiltinOperand &operand);
   Value *callFunction(const CallExpr &call);
   Value *callComponentWise(const CallExpr &call);
   Value *callSpline(const CallExpr &call); // LowerSpline.cpp
@@ -149,7 +150,8 @@ private:
   llvm::BasicBlock *returnBlock = nullptr;
   std::vector<Loop> loops;
   Value *lightIndex = nullptr;
-  unsigned expansions = 0; ///< of functions, against those that multiply
+  llvm::DenseMap<const Expr *, Value *> namedValues; ///< of the call being lowered
+  unsigned expansions = 0;                           ///< of functions, against those that multiply
 };
 
 } // namespace anysl::rsl

@@ -163,6 +163,9 @@ private:
                      llvm::ArrayRef<Candidate> candidates);
   CallExpr *foldExtremes(CallExpr &call);
   bool chooseComponentWise(CallExpr &call, llvm::ArrayRef<Type> args);
+  // Arguments by name (SemaNamed.cpp)
+  void splitNamed(CallExpr &call);
+  void checkNamed(CallExpr &call, const NamedGroup &group, bool &varying, bool &bad);
   // Built-ins without a fixed list of arguments (SemaSpecial.cpp); null if the name is none of
   // them.
   Expr *checkSpecial(CallExpr &call, TypeKind hint);

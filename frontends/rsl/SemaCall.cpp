@@ -99,6 +99,7 @@ Type Sema::probeInner(Expr *expr) {
     return {cast<CastExpr>(expr)->to};
   case ExprKind::Call: {
     auto *call = cast<CallExpr>(expr);
+    splitNamed(*call);
     SmallVector<Type, 8> args;
     for (Expr *arg : call->args)
       args.push_back(probe(arg));
@@ -285,6 +286,7 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
     if (Expr *special = checkSpecial(given, hint))
       return special;
   CallExpr *call = &given;
+  splitNamed(given);
   bool isExtreme = given.name == "min" || given.name == "max";
   if (isExtreme && given.args.size() > 2 && !all.empty() && all[0].builtin) {
     call = foldExtremes(given);
@@ -313,6 +315,8 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
       reportUnknown(*call);
     else if (!bad)
       reportNoMatch(*call, args, all);
+    for (Expr *&value : call->rest)
+      value = check(value);
     call->type = {TypeKind::Error};
     return call;
   }
@@ -357,6 +361,15 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
     call->hasEffects |= arg->hasEffects;
     if (chosen->function && chosen->function->params[i]->hasStorage && chosen->isIn(i))
       checkStorage(arg, param.varying, what + " is uniform");
+  }
+  if (chosen->builtin && chosen->builtin->named) {
+    checkNamed(*call, *chosen->builtin->named, varying, bad);
+  } else {
+    for (Expr *&value : call->rest) {
+      value = check(value);
+      bad |= value->type.isError();
+      call->hasEffects |= value->hasEffects;
+    }
   }
   SmallVector<Expr *, 4> steps;
   if (chosen->function && !bad) {

@@ -12,6 +12,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Link/NeutralOps.h"
 #include "lib/Link/Session.h"
 #include "passes/Vectorize/VectorAbi.h"
 #include "passes/Vectorize/Vectorize.h"
@@ -105,7 +106,10 @@ private:
     const stc::OpInfo *op = stc::opOfSymbol(name);
     if (op && op->purity == stc::Purity::Structural)
       return;
-    if (GlobalValue *value = definition(name))
+    GlobalValue *value = definition(name);
+    if (op && (!value || value->getParent() == neutralOps) && !neutralMeaning(op->op).empty())
+      declinedOp(*op, origin);
+    else if (value)
       requestValue(*value, origin);
     else if (op)
       missingOp(*op, origin);
@@ -180,6 +184,25 @@ private:
     }
   }
 
+  /// Nobody defines an operator that a renderer may decline.
+  void declinedOp(const stc::OpInfo &op, const Origin &origin) {
+    static constexpr WarningGroup Declined{"declined", true};
+    std::string message =
+        "runtime '" + session.options.runtime + "' does not offer '" + op.name.str() + "'";
+    if (!origin.shader.empty())
+      message += " (shader '" + origin.shader + "')";
+    if (session.options.declineIsError)
+      return fail(origin.position, message);
+    session.diags.warning(origin.position, Declined, message + ": " + neutralMeaning(op.op));
+    if (!neutralOps) {
+      std::unique_ptr<Module> module = makeNeutralOps(session.context);
+      neutralOps = module.get();
+      session.layers.push_back({"what is declined", nullptr, std::move(module)});
+      addModule(session.layers.back().name, neutralOps);
+    }
+    requestValue(*neutralOps->getFunction(op.symbol()), origin);
+  }
+
   void missingOp(const stc::OpInfo &op, const Origin &origin) {
     if (!reported.insert(op.symbol()).second)
       return;
@@ -206,6 +229,7 @@ private:
   SmallVector<std::pair<GlobalValue *, Origin>> worklist;
   StringSet<> reported;
   StringSet<> variants;
+  Module *neutralOps = nullptr; ///< made where something is declined
   bool good = true;
 };
 

@@ -37,6 +37,8 @@ struct LinkOptions {
   std::vector<unsigned> widths;
   /// Parameters to become constants, as the command line has them: "shader.name=v,v,v", "name=v".
   std::vector<std::string> params;
+  /// An operator of Neutral.def that nobody defines is an error, not its neutral value.
+  bool declineIsError = false;
   /// The name of a stage of Stages.def after which to print the code to `dump` and stop; empty:
   /// none.
   std::string dumpAfter;

@@ -51,6 +51,12 @@ cl::list<std::string> params("param",
                              cl::desc("Make a parameter constant; without SHADER, in every "
                                       "shader that has it"),
                              cl::value_desc("[SHADER.]NAME=value[,value...]"), cl::cat(category));
+cl::opt<std::string> decline("decline",
+                             cl::desc("What to do where a shader asks for what the runtime does "
+                                      "not offer but may decline: neutral (give a neutral value, "
+                                      "with a warning; default) or error"),
+                             cl::init("neutral"), cl::value_desc("neutral|error"),
+                             cl::cat(category));
 cl::opt<std::string> reportFile("report", cl::desc("Write what was done to FILE as JSON"),
                                 cl::value_desc("FILE"), cl::cat(category));
 cl::opt<bool> timeStages("time-stages", cl::desc("Print how long each stage took"),
@@ -125,6 +131,11 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;
+  if (decline != "neutral" && decline != "error") {
+    diags.error("--decline=" + decline + ": there are neutral and error");
+    return false;
+  }
+  options.declineIsError = decline == "error";
   if (!dumpAfter.empty()) {
     if (!is_contained(link::stageNames(), StringRef(dumpAfter))) {
       diags.error("--dump-after=" + dumpAfter + ": there is no such stage" +

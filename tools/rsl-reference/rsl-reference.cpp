@@ -44,6 +44,29 @@ void printSpecials(raw_ostream &out) {
 #include "frontends/rsl/Builtins.def"
 }
 
+void printNamed(raw_ostream &out) {
+  out << "\n## Arguments by name\n\n"
+         "What stands for `...` above: pairs of a name, which is constant text, and a value. A "
+         "type "
+         "may stand "
+         "before the name, `\"uniform float blur\"`. Arguments that mean nothing here are "
+         "accepted; "
+         "one that is "
+         "not listed is ignored with a warning (`-Wno-unknown-argument` silences it). What a "
+         "renderer "
+         "may decline "
+         "(lib/STC/Neutral.def) takes any arguments.\n";
+  for (const rsl::NamedGroup &group : rsl::namedGroups()) {
+    if (none_of(rsl::allBuiltins(), [&](const auto &builtin) { return builtin.named == &group; }))
+      continue;
+    out << "\n| " << group.name << " | type | meaning |\n|---|---|---|\n";
+    for (const rsl::NamedGroup::Argument &argument : group.arguments)
+      out << "| `\"" << argument.name << "\"` | " << rsl::nameOf(argument.type) << " | "
+          << (argument.fields.empty() ? "no meaning here: " : "") << cell(argument.meaning)
+          << " |\n";
+  }
+}
+
 void printQueries(raw_ostream &out) {
   out << "\n## Queries\n\n"
          "`float name(string, variable)` asks for a value by name, and gives 0 where nobody knows "
@@ -92,6 +115,7 @@ int main() {
          "compile time (`-Wno-format` silences it).\n\n";
   printBuiltins(out);
   printSpecials(out);
+  printNamed(out);
   printQueries(out);
   printMissing(out);
 }

@@ -68,6 +68,17 @@ void printOperators(raw_ostream &out) {
         << (op.service == Service::NoService ? StringRef("–") : nameOf(op.service)) << " |\n";
 }
 
+void printNeutral(raw_ostream &out) {
+  out << "\n## Operators that a renderer may decline\n\n"
+         "Where neither the runtime nor the shading library defines one of these, every output is "
+         "the value,\nin each component, and `anysl-link` warns at the shader's line; with "
+         "`--decline=error` it is an error.\n\n"
+         "| operator | value | that is |\n|---|---|---|\n";
+#define STC_NEUTRAL(name, value, meaning)                                                          \
+  out << "| `anysl_" #name "` | " #value " | " meaning " |\n";
+#include "lib/STC/Neutral.def"
+}
+
 } // namespace
 
 int main() {
@@ -84,4 +95,5 @@ int main() {
   printGlobals(out);
   printEffectsAndServices(out);
   printOperators(out);
+  printNeutral(out);
 }

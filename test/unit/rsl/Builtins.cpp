@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Builtins.h"
+#include "lib/STC/Shader.h"
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -51,7 +52,13 @@ TEST_CASE("every built-in gives its operator what that takes") {
         break;
       case BuiltinOperand::Global:
         CHECK(param.kind == stc::ParamKind::In);
-        CHECK(Type{typeKindOf(param.type)}.isGeometric());
+        CHECK(agree(typeKindOf(stc::globalNumbered(unsigned(operand.global))->type), param.type));
+        break;
+      case BuiltinOperand::Named:
+        CHECK(param.kind == stc::ParamKind::In);
+        CHECK(agree(operand.type, param.type));
+        REQUIRE(builtin.named);
+        CHECK(builtin.named->fields[operand.field].type == operand.type);
         break;
       case BuiltinOperand::Number:
         CHECK(param.kind == stc::ParamKind::In);
@@ -83,6 +90,21 @@ TEST_CASE("no two overloads of a built-in are the same") {
   std::set<std::string> seen;
   for (const Builtin &builtin : allBuiltins())
     CHECK(seen.insert(signature(builtin)).second);
+}
+
+TEST_CASE("an argument by name has the type of the fields that it sets") {
+  REQUIRE(!namedGroups().empty());
+  for (const NamedGroup &group : namedGroups()) {
+    std::set<std::string> seen;
+    for (const NamedGroup::Argument &argument : group.arguments) {
+      CAPTURE(group.name.str(), argument.name.str());
+      CHECK(seen.insert(argument.name.str()).second);
+      CHECK(group.argumentNamed(argument.name) == &argument);
+      for (unsigned field : argument.fields)
+        CHECK(group.fields[field].type == argument.type);
+    }
+    CHECK_FALSE(group.argumentNamed("nothing"));
+  }
 }
 
 TEST_CASE("built-ins are found by name") {
