@@ -279,6 +279,7 @@ enum class StmtKind : uint8_t {
   Illuminance,
   Illuminate,
   Solar,
+  Gather,
   Function,
   Struct,
   Extern
@@ -376,6 +377,34 @@ struct StructStmt : Stmt {
   StructStmt(SMLoc loc, StructDecl *structure)
       : Stmt(StmtKind::Struct, loc), structure(structure) {}
   static bool classof(const Stmt *s) { return s->kind == StmtKind::Struct; }
+};
+
+/// What gather() tells its body.
+enum class GatherValue : uint8_t {
+#define RSL_GATHER_OUTPUT(id, name, type, onMiss, meaning) id,
+#include "frontends/rsl/GatherOutputs.def"
+};
+
+/// Sema sorts the arguments into the named ones.
+struct GatherStmt : Stmt {
+  struct Output {
+    GatherValue value;
+    TypeKind type; ///< of the value
+    Expr *target;
+  };
+  llvm::MutableArrayRef<Expr *> args;
+  Stmt *body;
+  Stmt *elseBody; ///< null: none
+  Expr *category = nullptr;
+  Expr *position = nullptr;
+  Expr *direction = nullptr;
+  Expr *angle = nullptr;
+  Expr *samples = nullptr;
+  ArrayRef<Expr *> named; ///< the value of each field of NamedArguments.def, or null
+  ArrayRef<Output> outputs;
+  GatherStmt(SMLoc loc, llvm::MutableArrayRef<Expr *> args, Stmt *body, Stmt *elseBody)
+      : Stmt(StmtKind::Gather, loc), args(args), body(body), elseBody(elseBody) {}
+  static bool classof(const Stmt *s) { return s->kind == StmtKind::Gather; }
 };
 
 struct FunctionStmt : Stmt {

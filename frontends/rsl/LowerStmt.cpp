@@ -76,6 +76,9 @@ void Lowering::lower(const Stmt *stmt) {
   case StmtKind::Illuminance:
     lowerIlluminance(*cast<LightStmt>(stmt));
     break;
+  case StmtKind::Gather:
+    lowerGather(*cast<GatherStmt>(stmt));
+    break;
   case StmtKind::Illuminate:
   case StmtKind::Solar:
     lowerIlluminate(*cast<LightStmt>(stmt));

@@ -75,6 +75,7 @@ private:
   void lowerReturn(const ReturnStmt &stmt);
   void lowerIlluminance(const LightStmt &stmt);
   void lowerIlluminate(const LightStmt &stmt);
+  void lowerGather(const GatherStmt &stmt); // LowerGather.cpp
   bool isOpen() const { return !builder().GetInsertBlock()->getTerminator(); }
   void branchTo(llvm::BasicBlock *block);
   void branchIf(Value *condition, llvm::BasicBlock *whenTrue, llvm::BasicBlock *whenFalse);

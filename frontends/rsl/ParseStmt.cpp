@@ -83,8 +83,7 @@ Stmt *Parser::parseStatementInner() {
   case TokenKind::KwSolar:
     return parseLight(StmtKind::Solar);
   case TokenKind::KwGather:
-    errorHere("'gather' is not supported");
-    return nullptr;
+    return parseGather();
   case TokenKind::KwBreak:
   case TokenKind::KwContinue: {
     StmtKind kind = at(TokenKind::KwBreak) ? StmtKind::Break : StmtKind::Continue;
@@ -257,6 +256,18 @@ Stmt *Parser::parseLight(StmtKind kind) {
   if (!body)
     body = ast.make<Stmt>(StmtKind::Empty, loc);
   return ast.make<LightStmt>(kind, loc, ast.copy<Expr *>(args), body);
+}
+
+Stmt *Parser::parseGather() {
+  SMLoc loc = take().loc;
+  std::vector<Expr *> args;
+  if (!parseArguments(args))
+    return nullptr;
+  Stmt *body = parseStatement();
+  Stmt *elseBody = accept(TokenKind::KwElse) ? parseStatement() : nullptr;
+  if (!body)
+    body = ast.make<Stmt>(StmtKind::Empty, loc);
+  return ast.make<GatherStmt>(loc, ast.copy<Expr *>(args), body, elseBody);
 }
 
 } // namespace anysl::rsl

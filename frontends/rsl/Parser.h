@@ -93,6 +93,7 @@ private:
   Stmt *parseWhile();
   Stmt *parseFor();
   Stmt *parseLight(StmtKind kind);
+  Stmt *parseGather();
   bool enter(SMLoc loc);
 
   // Expressions; null after an error that has been reported

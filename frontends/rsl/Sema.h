@@ -125,6 +125,8 @@ private:
   void checkJump(JumpStmt &jump);
   void checkReturn(ReturnStmt &stmt);
   void checkLight(LightStmt &stmt);
+  void checkGather(GatherStmt &stmt); // SemaGather.cpp
+  void checkGatherPairs(GatherStmt &stmt, llvm::MutableArrayRef<Expr *> pairs);
 
   // Expressions. check() returns the expression or what replaces it, never null; after an error its
   // type is Error.

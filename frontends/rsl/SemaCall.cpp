@@ -182,6 +182,9 @@ int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> 
                TypeKind hint) {
   if (candidate.size() != args.size())
     return -1;
+  if (!call.rest.empty() &&
+      !(candidate.builtin && (candidate.builtin->named || candidate.builtin->takesRest)))
+    return -1;
   int total = 0;
   for (size_t i = 0; i < args.size(); ++i) {
     Type param = candidate.type(i);

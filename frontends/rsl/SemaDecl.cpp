@@ -277,16 +277,22 @@ void Sema::matchLibraryFunction(FunctionDecl &decl) {
     return a == b || (Type{a}.isGeometric() && Type{b}.isGeometric());
   };
   for (const Builtin *builtin : overloads) {
-    bool same =
-        agree(builtin->result, decl.result.kind) && builtin->arguments.size() == decl.params.size();
-    for (size_t i = 0; same && i < decl.params.size(); ++i)
+    size_t fields = builtin->named ? builtin->named->fields.size() : 0;
+    bool same = agree(builtin->result, decl.result.kind) &&
+                builtin->arguments.size() + fields == decl.params.size();
+    for (size_t i = 0; same && i < builtin->arguments.size(); ++i)
       same = agree(builtin->arguments[i].type, decl.params[i]->type.kind) &&
              builtin->arguments[i].isOut == decl.params[i]->isOutput &&
              !decl.params[i]->type.isArray() && !decl.params[i]->length;
+    for (size_t i = 0; same && i < fields; ++i) {
+      const VarDecl &param = *decl.params[builtin->arguments.size() + i];
+      same = agree(builtin->named->fields[i].type, param.type.kind) && !param.isOutput &&
+             !param.type.isArray();
+    }
     // Overloads that only fill in operands (fresnel with five arguments) are not operators
     // themselves.
     for (const BuiltinOperand &operand : builtin->operands)
-      same &= operand.source <= BuiltinOperand::Global;
+      same &= operand.source <= BuiltinOperand::Global || operand.source == BuiltinOperand::Named;
     if (!same)
       continue;
     decl.defines = builtin;

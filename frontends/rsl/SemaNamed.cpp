@@ -21,7 +21,7 @@ static constexpr WarningGroup UnknownArgument{"unknown-argument", true};
 /// values, which begin at the first text that no overload has a place for, and whatever a built-in
 /// takes without looking at it. "file"[channel] is the argument "channel".
 void Sema::splitNamed(CallExpr &call) {
-  if (call.isSplit)
+  if (call.isSplit || call.object)
     return;
   call.isSplit = true;
   for (const Scope &scope : scopes)

@@ -83,6 +83,9 @@ void Sema::checkStmt(Stmt *stmt) {
   case StmtKind::Struct:
     checkStruct(*cast<StructStmt>(stmt)->structure);
     break;
+  case StmtKind::Gather:
+    checkGather(*cast<GatherStmt>(stmt));
+    break;
   case StmtKind::Function:
     checkFunction(*cast<FunctionStmt>(stmt)->function);
     break;

@@ -102,6 +102,51 @@ typedef struct AnyslLight {
 
 struct AnyslShadeArgs;
 
+/** AnyslTextureRequest::fill of a lookup that gives none. */
+#define ANYSL_NO_FILL 1e30f
+
+/** What a lookup in a picture asks for; the same for all points of a call. */
+typedef struct AnyslTextureRequest {
+  uint32_t struct_size;
+  uint32_t channels;      /**< how many values: 1 or 3 */
+  uint32_t first_channel;
+  uint32_t samples;       /**< shadow: how many depths to compare */
+  const char *name;       /**< of the file, never null */
+  const char *filter;     /**< between texels; "": the renderer's choice */
+  const char *swrap;      /**< outside of [0, 1] along s; "": what the file says */
+  const char *twrap;
+  float fill;             /**< of channels that the file lacks; ANYSL_NO_FILL: none given */
+  float bias;             /**< shadow: by how much a depth must be nearer than the point */
+} AnyslTextureRequest;
+
+/** Where to look: for each number an array with one element a point. */
+typedef struct AnyslTexturePoints {
+  uint32_t struct_size;
+  const float *at[3];     /**< texture: s and t; environment: a direction; shadow: a point */
+  const float *dx[3];     /**< the filter's axes: the edges of a parallelogram about that place */
+  const float *dy[3];
+  const float *blur[2];   /**< what to add to the filter along s and t, as a share of the picture */
+} AnyslTexturePoints;
+
+/**
+ * A lookup for `width` points (at most 16) from `first` on; bit i of `mask` says that point first + i
+ * asks. Value c of point i goes to result[c * width + i].
+ */
+typedef void AnyslTextureService(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
+                                 uint32_t width, uint32_t mask, const AnyslTextureRequest *request,
+                                 const AnyslTexturePoints *points, float *result);
+
+/** What rays meet first, for each number an array with one element a point. */
+typedef struct AnyslHits {
+  uint32_t struct_size;
+  uint32_t shades;        /**< whether color and opacity are asked for */
+  float *distance;        /**< along the direction of unit length; below 0: nothing was met */
+  float *N[3];            /**< the shading normal there, of unit length, facing the ray's origin */
+  float *Ng[3];           /**< the geometric normal there, likewise */
+  float *color[3];        /**< what the surface sends back; of a ray that met nothing, what arrives */
+  float *opacity[3];
+} AnyslHits;
+
 /**
  * What a renderer does for its shaders. A null function is one that the renderer does not offer; asking
  * for it gives the stated neutral value. Every function may be called by many threads at once.
@@ -155,6 +200,17 @@ typedef struct AnyslServices {
       libanysl's own writes to the standard output. */
   void (*print)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
                 const char *text);
+  /** Values out of a picture. Neutral: 0. */
+  AnyslTextureService *texture;
+  /** Values out of a picture of all directions. Neutral: 0. */
+  AnyslTextureService *environment;
+  /** How much of a filter is in shadow, by a picture of depths. Neutral: 0. */
+  AnyslTextureService *shadow;
+  /** What rays from P (x, y and z, an array each) along R (of any length) meet within `reach`, for
+      `width` points (at most 16) from `first` on. Neutral: nothing. */
+  void (*trace_hit)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                    uint32_t mask, const float *const P[3], const float *const R[3],
+                    const float *reach, const AnyslHits *hits);
 } AnyslServices;
 
 /** A batch of points that share one set of parameters. The host fills it; shaders change only outputs. */

@@ -45,7 +45,10 @@ extern "C" {
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
 ANYSL_ASSERT_SIZE(AnyslLight, 56);
-ANYSL_ASSERT_SIZE(AnyslServices, 96);
+ANYSL_ASSERT_SIZE(AnyslServices, 128);
+ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
+ANYSL_ASSERT_SIZE(AnyslTexturePoints, 96);
+ANYSL_ASSERT_SIZE(AnyslHits, 112);
 ANYSL_ASSERT_SIZE(AnyslShadeArgs, 104);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
 ANYSL_ASSERT_SIZE(AnyslEntryInfo, 16);

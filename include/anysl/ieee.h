@@ -133,6 +133,22 @@ inline anysl_float signedUnitFromBits(uint32_t bits) {
   return anysl_float(int32_t(bits) >> 8) * anysl_float(0x1p-23);
 }
 
+//===-- Derivatives ---------------------------------------------------------------------------===//
+// A plain number has none.
+
+template <typename Real>
+inline Real valueOf(Real x) {
+  return x;
+}
+template <typename Real>
+inline Real derivativeU(Real) {
+  return 0;
+}
+template <typename Real>
+inline Real derivativeV(Real) {
+  return 0;
+}
+
 } // namespace anysl
 
 #endif // ANYSL_IEEE_H

@@ -10,3 +10,4 @@
 #include "geometry.sl"
 #include "color.sl"
 #include "light.sl"
+#include "rays.sl"

@@ -170,6 +170,31 @@ ANYSL_RENDER_WIDE void makeShadowRays(const RayStarts &given, size_t first, uint
 
 //===-- Shading -------------------------------------------------------------//
 
+void anysl::render::limitReach(AskedRays &rays, uint32_t i, float reach) {
+  rays.far[i] = std::min(rays.far[i], reach);
+  rays.valid[i] &= reach > 0;
+}
+
+void anysl::render::storeHit(const Geometry &geometry, const Hit &hit, const Ray &ray,
+                             const Radiance &radiance, uint32_t i, const AnyslHits &hits) {
+  for (int k = 0; k < 3; ++k)
+    hits.color[k][i] = radiance.color[k];
+  if (!hit.isHit())
+    return;
+  SurfacePoint point;
+  geometry.evaluate(hit, ray.origin, ray.direction,
+                    uint64_t(1) << ANYSL_N | uint64_t(1) << ANYSL_Ng, point);
+  hits.distance[i] = hit.t;
+  Vec3d normal = normalized(point.normal), flat = normalized(point.frame.normal);
+  double side = dot(flat, Vec3d(ray.direction)) > 0 ? -1 : 1;
+  double smoothSide = dot(normal, Vec3d(ray.direction)) > 0 ? -1 : 1;
+  for (int k = 0; k < 3; ++k) {
+    hits.N[k][i] = float(smoothSide * normal[k]);
+    hits.Ng[k][i] = float(side * flat[k]);
+    hits.opacity[k][i] = radiance.opacity[k];
+  }
+}
+
 Vec3f anysl::render::defaultSurface(const SurfacePoint &point, Vec3f direction) {
   double facing = std::fabs(dot(point.normal, Vec3d(direction)));
   return Vec3f(point.color * point.opacity * (0.1 + 0.9 * facing));

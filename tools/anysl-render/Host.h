@@ -181,6 +181,12 @@ void makeTraceRays(const RayStarts &starts, size_t first, uint32_t count, const 
 void makeShadowRays(const RayStarts &starts, size_t first, uint32_t count, const float *from,
                     const float *to, AskedRays &rays);
 
+/// Lets ray i end at `reach`; none is valid with a reach that is not positive.
+void limitReach(AskedRays &rays, uint32_t i, float reach);
+/// What ray i has met, for a shader: nothing is stored where it met nothing, but for what arrives.
+void storeHit(const Geometry &geometry, const Hit &hit, const Ray &ray, const Radiance &radiance,
+              uint32_t i, const AnyslHits &hits);
+
 /// Where a shadow ray goes on that has passed a surface at distance t.
 inline float afterHit(float t) { return std::nextafter(t * (1 + 0x1p-20f), 1e30f); }
 

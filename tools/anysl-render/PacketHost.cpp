@@ -14,10 +14,12 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Host.h"
+#include "tools/anysl-render/Pictures.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 
 using namespace anysl::render;
 
@@ -121,8 +123,9 @@ struct PacketBatch {
 
 class PacketHostBase : public Host {
 public:
+  /// Follows rays through at most `layers` surfaces.
   virtual void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                      Radiance *radiance, float *channels) const = 0;
+                      unsigned layers, Radiance *radiance, float *channels) const = 0;
   virtual void findNearest(RayList &rays, unsigned mask) const = 0;
   /// Sets t to -infinity where a ray is blocked.
   virtual void findBlocked(RayList &rays) const = 0;
@@ -143,15 +146,15 @@ public:
     for (uint32_t i = 0; i < count; ++i)
       list.add(rays[i], i);
     state.counts.cameraRays += count;
-    follow(state, list, CameraRays, 0, radiance,
+    follow(state, list, CameraRays, 0, maxLayers, radiance,
            theScene.channels().size() > 0 ? channels : nullptr);
   }
   // Enough points for full packets after sorting, few enough for their arrays to stay in cache.
   uint32_t preferredCount() const override { return 256; }
   const Scene &scene() const override { return theScene; }
 
-  void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth, Radiance *radiance,
-              float *channels) const override;
+  void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth, unsigned layers,
+              Radiance *radiance, float *channels) const override;
   void findNearest(RayList &rays, unsigned mask) const override;
   void findBlocked(RayList &rays) const override;
 
@@ -255,7 +258,7 @@ void PacketHost<W>::findBlocked(RayList &rays) const {
 
 template <unsigned W>
 void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                           Radiance *radiance, float *channels) const {
+                           unsigned layers, Radiance *radiance, float *channels) const {
   const Geometry &geometry = theScene.geometry();
   uint32_t targets = 0;
   for (uint32_t i = 0; i < rays.count; ++i) {
@@ -270,7 +273,7 @@ void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, uns
   // Each round takes the rays to the next surface; those that it lets through make the next round.
   RayList *current = &rays;
   RayList others[2] = {RayList(state.arena, 0), RayList(state.arena, 0)};
-  for (unsigned layer = 0; current->count > 0 && layer < maxLayers; ++layer) {
+  for (unsigned layer = 0; current->count > 0 && layer < layers; ++layer) {
     RayList &list = *current;
     findNearest(list, mask);
     RayList &behind = others[layer % 2];
@@ -498,7 +501,7 @@ void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32
   for (uint32_t i = 0; i < rays.count; ++i)
     rays.medium[i] =
         batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
-  batch.host->follow(state, rays, TraceRays, batch.depth + 1, radiance, nullptr);
+  batch.host->follow(state, rays, TraceRays, batch.depth + 1, maxLayers, radiance, nullptr);
   for (uint32_t i = 0; i < rays.count; ++i)
     setLane(color, width, rays.target[i], radiance[rays.target[i]].color);
 }
@@ -535,6 +538,56 @@ void serveTransmissionPacket(void *, const AnyslShadeArgs *args, uint32_t first,
     setLane(color, width, rays.target[i], passing[rays.target[i]]);
 }
 
+void serveHits(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32_t mask,
+               const float *const *P, const float *const *R, const float *reach,
+               const AnyslHits *hits) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  float from[3 * AskedRays::most], along[3 * AskedRays::most];
+  for (uint32_t k = 0; k < 3; ++k) {
+    std::copy_n(P[k], width, from + k * width);
+    std::copy_n(R[k], width, along + k * width);
+  }
+  AskedRays asked;
+  makeTraceRays(*batch.starts, first, width, from, along, asked);
+  for (uint32_t i = 0; i < width; ++i)
+    limitReach(asked, i, reach[i]);
+  RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
+    return hash(batch.seeds[point], ++batch.rays[point]);
+  });
+  state.counts.traceRays += rays.count;
+  const Scene &scene = batch.host->scene();
+  // Beyond the deepest level surfaces are black.
+  bool shades = hits->shades && batch.depth < scene.description.maxDepth;
+  Radiance *radiance = state.arena.allocate<Radiance>(width);
+  if (shades) {
+    for (uint32_t i = 0; i < rays.count; ++i)
+      rays.medium[i] =
+          batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
+    batch.host->follow(state, rays, TraceRays, batch.depth + 1, 1, radiance, nullptr);
+  } else {
+    std::fill_n(radiance, width, Radiance{Vec3f(), Vec3f(1), 1});
+    batch.host->findNearest(rays, TraceRays);
+  }
+  for (uint32_t i = 0; i < rays.count; ++i)
+    storeHit(scene.geometry(), rays.hitOf(i), rays.rayOf(i), radiance[rays.target[i]],
+             rays.target[i], *hits);
+}
+
+/// A lookup in a picture, while the clock of shading stands. There is no batch where defaults are
+/// computed.
+template <AnyslTextureService *service>
+void outsideShading(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                    uint32_t mask, const AnyslTextureRequest *request,
+                    const AnyslTexturePoints *points, float *result) {
+  std::optional<ServiceScope> scope;
+  if (args->batch)
+    scope.emplace(*static_cast<PacketBatch *>(args->batch)->state);
+  service(renderer, args, first, width, mask, request, points, result);
+}
+
 // A shader's scalar code (width 1) asks for one point at a time.
 void serveTrace(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *P,
                 const double *R, double *color) {
@@ -569,9 +622,22 @@ int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, co
   return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
 }
 
-const AnyslServices services = {sizeof(AnyslServices),   serveTrace,          serveTracePacket,
-                                serveDistance,           serveDistancePacket, serveTransmission,
-                                serveTransmissionPacket, serveMatrix};
+const AnyslServices services = {.struct_size = sizeof(AnyslServices),
+                                .trace = serveTrace,
+                                .trace_packet = serveTracePacket,
+                                .trace_distance = serveDistance,
+                                .trace_distance_packet = serveDistancePacket,
+                                .transmission = serveTransmission,
+                                .transmission_packet = serveTransmissionPacket,
+                                .space_matrix = serveMatrix,
+                                .append = nullptr, // text is libanysl's
+                                .print_value = nullptr,
+                                .match = nullptr,
+                                .print = nullptr,
+                                .texture = outsideShading<serveTexture>,
+                                .environment = outsideShading<serveEnvironment>,
+                                .shadow = outsideShading<serveShadow>,
+                                .trace_hit = serveHits};
 
 template <unsigned W>
 std::unique_ptr<Host> makeHost(const SceneDescription &description, const ShaderCache &cache,

@@ -196,6 +196,8 @@ void RibState::option(RibArguments &arguments) {
       scene.maxDepth = unsigned(std::clamp(parameter.numbers[0], 0.0, 64.0));
     } else if (name == "searchpath:shader" && parameter.strings.size() == 1) {
       scene.shaderPath = parameter.strings[0];
+    } else if (name == "searchpath:texture" && !parameter.strings.empty()) {
+      // makePictures() reads it out of the options.
     } else if (name == "anysl:background") {
       background.zenith = background.horizon = background.ground = triple();
       background.visible = true;

@@ -11,8 +11,10 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Host.h"
+#include "tools/anysl-render/Pictures.h"
 
 #include <algorithm>
+#include <optional>
 
 using namespace anysl::render;
 
@@ -45,14 +47,16 @@ public:
              float *channels) const override {
     const unsigned size = theScene.channels().size();
     for (uint32_t i = 0; i < count; ++i)
-      radiance[i] = follow(state, rays[i], CameraRays, 0, size > 0 ? channels + i * size : nullptr);
+      radiance[i] = follow(state, rays[i], CameraRays, 0, maxLayers,
+                           size > 0 ? channels + i * size : nullptr);
     state.counts.cameraRays += count;
   }
   uint32_t preferredCount() const override { return 1; }
   const Scene &scene() const override { return theScene; }
 
 private:
-  Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth,
+  /// Follows a ray through at most `layers` surfaces.
+  Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth, unsigned layers,
                   float *channels) const;
   Vec3f transmission(ThreadState &state, const Ray &ray) const;
   template <typename Real>
@@ -68,6 +72,20 @@ private:
                               const double *);
   static void serveTransmission(void *, const AnyslShadeArgs *, uint32_t, const double *,
                                 const double *, double *);
+  static void serveHits(void *, const AnyslShadeArgs *, uint32_t, uint32_t, uint32_t,
+                        const float *const *, const float *const *, const float *,
+                        const AnyslHits *);
+  /// A lookup in a picture, while the clock of shading stands. There is no batch where defaults are
+  /// computed.
+  template <AnyslTextureService *service>
+  static void outsideShading(void *renderer, const AnyslShadeArgs *args, uint32_t first,
+                             uint32_t width, uint32_t mask, const AnyslTextureRequest *request,
+                             const AnyslTexturePoints *points, float *result) {
+    std::optional<ServiceScope> scope;
+    if (args->batch)
+      scope.emplace(*static_cast<PointBatch *>(args->batch)->state);
+    service(renderer, args, first, width, mask, request, points, result);
+  }
   static int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from,
                          const char *to, double *matrix) {
     const auto *batch = static_cast<const PointBatch *>(args->batch);
@@ -78,9 +96,22 @@ private:
   Scene theScene;
 };
 
-const AnyslServices ScalarHost::services = {
-    sizeof(AnyslServices), serveTrace, nullptr,    serveDistance, nullptr,
-    serveTransmission,     nullptr,    serveMatrix};
+const AnyslServices ScalarHost::services = {.struct_size = sizeof(AnyslServices),
+                                            .trace = serveTrace,
+                                            .trace_packet = nullptr,
+                                            .trace_distance = serveDistance,
+                                            .trace_distance_packet = nullptr,
+                                            .transmission = serveTransmission,
+                                            .transmission_packet = nullptr,
+                                            .space_matrix = serveMatrix,
+                                            .append = nullptr, // text is libanysl's
+                                            .print_value = nullptr,
+                                            .match = nullptr,
+                                            .print = nullptr,
+                                            .texture = outsideShading<serveTexture>,
+                                            .environment = outsideShading<serveEnvironment>,
+                                            .shadow = outsideShading<serveShadow>,
+                                            .trace_hit = serveHits};
 
 /// Three numbers of a shader's, as the shared code takes the vectors of one point.
 struct Triple {
@@ -89,11 +120,11 @@ struct Triple {
 };
 
 Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth,
-                            float *channels) const {
+                            unsigned layers, float *channels) const {
   const Geometry &geometry = theScene.geometry();
   Radiance radiance;
   PointColors colors{Vec3f(1), true, {}, {}};
-  for (unsigned layer = 0; layer < maxLayers; ++layer) {
+  for (unsigned layer = 0; layer < layers; ++layer) {
     Hit hit = geometry.intersect(ray, mask);
     if (!hit.isHit()) {
       radiance.color += colors.passing * theScene.background.color(ray.direction);
@@ -248,10 +279,35 @@ void ScalarHost::serveTrace(void *, const AnyslShadeArgs *args, uint32_t, const 
     ++batch.state->counts.traceRays;
     Ray ray = asked.ray(0, seed);
     ray.medium = batch.starts.medium(0, ray.direction, *batch.group);
-    result = batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, nullptr).color;
+    result =
+        batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, maxLayers, nullptr).color;
   }
   for (int k = 0; k < 3; ++k)
     color[k] = result[k];
+}
+
+void ScalarHost::serveHits(void *, const AnyslShadeArgs *args, uint32_t, uint32_t, uint32_t,
+                           const float *const *P, const float *const *R, const float *reach,
+                           const AnyslHits *hits) {
+  auto &batch = *static_cast<PointBatch *>(args->batch);
+  ServiceScope scope(*batch.state);
+  uint32_t seed = hash(batch.seed, ++batch.rays);
+  const float from[3] = {*P[0], *P[1], *P[2]}, along[3] = {*R[0], *R[1], *R[2]};
+  AskedRays asked;
+  makeTraceRays(batch.starts, 0, 1, from, along, asked);
+  limitReach(asked, 0, *reach);
+  if (!asked.valid[0])
+    return;
+  const Scene &scene = batch.host->theScene;
+  ++batch.state->counts.traceRays;
+  Ray ray = asked.ray(0, seed);
+  ray.medium = batch.starts.medium(0, ray.direction, *batch.group);
+  Hit hit = scene.geometry().intersect(ray, TraceRays);
+  Radiance radiance{Vec3f(), Vec3f(1), 1};
+  // Beyond the deepest level surfaces are black.
+  if (hits->shades && batch.depth < scene.description.maxDepth)
+    radiance = batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, 1, nullptr);
+  storeHit(scene.geometry(), hit, ray, radiance, 0, *hits);
 }
 
 double ScalarHost::serveDistance(void *, const AnyslShadeArgs *args, uint32_t, const double *P,

@@ -7,6 +7,8 @@
 
 #include "tools/anysl-render/Scene.h"
 
+#include "tools/anysl-render/Pictures.h"
+
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -23,7 +25,7 @@ constexpr uint32_t spacesService = 1u << 3;
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
     : description(given), camera(given.camera), spaces(given, camera), background(given),
-      loader(*this, cache, layout, width, warnings) {
+      textures(makePictures(given)), loader(*this, cache, layout, width, warnings) {
   loadShaders(services, warnings);
   makeGroups(warnings);
   surfaces = std::make_unique<Geometry>(description, camera, groupOfShape);
@@ -45,6 +47,9 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
   loader.open(uses);
   imagerServices.struct_size = sizeof imagerServices;
   imagerServices.space_matrix = services.space_matrix;
+  imagerServices.texture = serveTexture;
+  imagerServices.environment = serveEnvironment;
+  imagerServices.shadow = serveShadow;
   shaders.resize(description.shaders.size());
   for (int index : used) {
     const ShaderUse &use = description.shaders[size_t(index)];

@@ -8,6 +8,7 @@
 #ifndef ANYSL_RENDER_SCENE_H
 #define ANYSL_RENDER_SCENE_H
 
+#include "lib/Textures/Textures.h"
 #include "tools/anysl-render/Channels.h"
 #include "tools/anysl-render/Geometry.h"
 #include "tools/anysl-render/Lights.h"
@@ -39,6 +40,7 @@ public:
   const Spaces spaces;
   const Background background;
   const Geometry &geometry() const { return *surfaces; }
+  textures::Textures &pictures() const { return *textures; }
   const Channels &channels() const { return wantedChannels; }
   const Shader *imager() const; ///< or null
   const ShadingGroup &group(uint32_t index) const { return groups[index]; }
@@ -50,6 +52,7 @@ private:
   void loadShaders(const AnyslServices &services, Warnings &warnings);
   void makeGroups(Warnings &warnings);
 
+  std::unique_ptr<textures::Textures> textures;
   ShaderLoader loader;
   AnyslServices imagerServices = {};            ///< what makes sense without a scene's point
   std::vector<std::unique_ptr<Shader>> shaders; ///< as description.shaders; null where not used

@@ -228,6 +228,7 @@ struct SceneDescription {
   double quantizeOne = 255; ///< the integer that stands for 1 in files; 0: floats where they can be
   unsigned maxDepth = 8;
   BackgroundDescription background;
+  std::string folder;     ///< of the scene's file, where relative names of textures begin
   std::string shaderPath; ///< colon-separated; & stands for the default
   std::vector<OutputFile> outputs;
   ParameterMap options; ///< what Option has stated, known here or not

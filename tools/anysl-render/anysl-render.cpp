@@ -146,6 +146,7 @@ void renderFile(const Options &options, Watch *watch, unsigned threads) {
   Warnings warnings;
   std::vector<SceneDescription> scenes = readRib(loadSourceFile(options.scene), warnings);
   for (SceneDescription &scene : scenes) {
+    scene.folder = fs::path(options.scene).parent_path().string();
     applyOptions(options, scene);
     if (!renderScene(options, scene, watch, threads, warnings))
       return;

@@ -171,6 +171,46 @@ void print(void *renderer, const AnyslShadeArgs *, uint32_t, const char *text) {
   std::fputs(text, world(renderer).printTo);
 }
 
+void texture(void *renderer, const AnyslShadeArgs *args, uint32_t, uint32_t width, uint32_t mask,
+             const AnyslTextureRequest *request, const AnyslTexturePoints *points, float *result) {
+  if (textures::Textures *textures = world(renderer).pictures->get())
+    textures->texture(args, width, mask, *request, *points, result);
+}
+
+void environment(void *renderer, const AnyslShadeArgs *args, uint32_t, uint32_t width,
+                 uint32_t mask, const AnyslTextureRequest *request,
+                 const AnyslTexturePoints *points, float *result) {
+  if (textures::Textures *textures = world(renderer).pictures->get())
+    textures->environment(args, width, mask, *request, *points, result);
+}
+
+void shadow(void *renderer, const AnyslShadeArgs *args, uint32_t, uint32_t width, uint32_t mask,
+            const AnyslTextureRequest *request, const AnyslTexturePoints *points, float *result) {
+  if (textures::Textures *textures = world(renderer).pictures->get())
+    textures->shadow(args, width, mask, *request, *points, result);
+}
+
+void traceHit(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+              uint32_t mask, const float *const *P, const float *const *R, const float *reach,
+              const AnyslHits *hits) {
+  for (uint32_t lane = 0; lane < width; ++lane) {
+    if (!(mask >> lane & 1))
+      continue;
+    double from[3] = {P[0][lane], P[1][lane], P[2][lane]};
+    double along[3] = {R[0][lane], R[1][lane], R[2][lane]};
+    double distance = traceDistance(renderer, args, first + lane, from, along);
+    bool hit = distance < far && distance <= double(reach[lane]);
+    hits->distance[lane] = hit ? float(distance) : -1;
+    double color[3];
+    trace(renderer, args, first + lane, from, along, color);
+    for (uint32_t c = 0; c < 3; ++c) {
+      hits->N[c][lane] = hits->Ng[c][lane] = hit && c == 2 ? 1 : 0;
+      hits->color[c][lane] = float(color[c]);
+      hits->opacity[c][lane] = hit ? 1 : 0;
+    }
+  }
+}
+
 } // namespace
 
 Environment::Environment() {
@@ -189,6 +229,10 @@ AnyslServices environmentServices() {
   services.transmission_packet = transmissionPacket;
   services.space_matrix = spaceMatrix;
   services.print = print;
+  services.texture = texture;
+  services.environment = environment;
+  services.shadow = shadow;
+  services.trace_hit = traceHit;
   return services;
 }
 

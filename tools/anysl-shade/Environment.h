@@ -16,6 +16,8 @@
 //                 black      0
 //                 A zero R arrives from nowhere: black.
 //   trace distance, transmission: of the ground, the plane z = -1; black has none (1e30, 1)
+//   what rays hit the ground, with its colour and opacity 1
+//   textures      files, see Pictures.h
 //   space matrix  the identity for "current", "camera", "world", "object", "shader" and "", and
 //   what --space gives
 //
@@ -24,6 +26,7 @@
 #ifndef ANYSL_TOOLS_ANYSL_SHADE_ENVIRONMENT_H
 #define ANYSL_TOOLS_ANYSL_SHADE_ENVIRONMENT_H
 
+#include "tools/anysl-shade/Pictures.h"
 #include <anysl/abi.h>
 #include <array>
 #include <cstdio>
@@ -43,6 +46,7 @@ struct Environment {
   std::vector<AnyslLight> lights;
   std::FILE *printTo = stdout; ///< what shaders print
   float ambient[3] = {0, 0, 0};
+  std::shared_ptr<Pictures> pictures = std::make_shared<Pictures>();
 
   Environment();
 };

@@ -37,3 +37,8 @@ void anyslWriteImage(const char *path, int width, int height, const double *rgb,
                      std::string *problem) {
   *problem = write(path, width, height, rgb);
 }
+
+void anyslMakeTextures(anysl::textures::TextureSettings settings,
+                       std::unique_ptr<anysl::textures::Textures> *textures) {
+  *textures = anysl::textures::Textures::create(std::move(settings));
+}

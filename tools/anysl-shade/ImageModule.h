@@ -9,6 +9,7 @@
 #ifndef ANYSL_TOOLS_ANYSL_SHADE_IMAGEMODULE_H
 #define ANYSL_TOOLS_ANYSL_SHADE_IMAGEMODULE_H
 
+#include "lib/Textures/Textures.h"
 #include <string>
 
 /// Writes red, green and blue of width * height pixels, the top row first. What goes wrong is put
@@ -16,5 +17,9 @@
 /// \p problem, and no file is left.
 extern "C" __attribute__((visibility("default"))) void
 anyslWriteImage(const char *path, int width, int height, const double *rgb, std::string *problem);
+
+/// Makes what looks pictures up.
+extern "C" void anyslMakeTextures(anysl::textures::TextureSettings settings,
+                                  std::unique_ptr<anysl::textures::Textures> *textures);
 
 #endif

@@ -56,6 +56,8 @@ The world around it:
       spot      color, intensity, from (0,0,1), direction or to, cone (30), delta (5), beam (2);
                 cone and delta in degrees
       and the flags shadow, nondiffuse, nonspecular
+  --texture-path DIR[:DIR...]
+                           where textures are looked for, after the current folder
   --space NAME=m,...       16 numbers, the matrix (row by row, for row vectors) from a
                            named coordinate system to the current one
 )";
@@ -251,6 +253,11 @@ const Option table[] = {
     {"--environment",
      [](Options &o, const std::string &v) { parseSurroundings(o.environment, v); }},
     {"--light", [](Options &o, const std::string &v) { parseLight(o.environment, v); }},
+    {"--texture-path",
+     [](Options &o, const std::string &v) {
+       for (const std::string &folder : split(v, ':'))
+         o.environment.pictures->searchPath.push_back(folder);
+     }},
     {"--space", [](Options &o, const std::string &v) { parseSpace(o.environment, v); }},
     {"--json", nullptr, &Options::json},
     {"--bench", nullptr, &Options::bench},

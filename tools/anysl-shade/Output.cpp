@@ -7,11 +7,10 @@
 
 #include "tools/anysl-shade/Output.h"
 #include "tools/anysl-shade/ImageModule.h"
+#include "tools/anysl-shade/Pictures.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <dlfcn.h>
-#include <filesystem>
 
 namespace anysl::shade {
 namespace {
@@ -45,17 +44,6 @@ std::string jsonPoint(const Result &result, size_t point, bool isDouble) {
     text += (e ? "," : "") +
             jsonElement(values + size_t(e) * result.components, result.components, isDouble);
   return text + "]";
-}
-
-/// The module lies in lib/anysl, beside the folder of this program.
-decltype(&anyslWriteImage) imageWriter() {
-  auto program = std::filesystem::read_symlink("/proc/self/exe");
-  auto path = program.parent_path().parent_path() / "lib/anysl/anysl-shade-image.so";
-  void *module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  void *function = module ? dlsym(module, "anyslWriteImage") : nullptr;
-  if (!function)
-    throw UserError(std::string("cannot load what writes images: ") + dlerror());
-  return reinterpret_cast<decltype(&anyslWriteImage)>(function);
 }
 
 } // namespace
@@ -93,8 +81,9 @@ void writeImage(const Options &options, const std::vector<Result> &results) {
   auto color = std::find_if(results.begin(), results.end(),
                             [](const Result &result) { return result.name == "Ci"; });
   std::string problem;
-  imageWriter()(options.image.c_str(), int(options.gridWidth), int(options.gridHeight),
-                color->values.data(), &problem);
+  auto write = reinterpret_cast<decltype(&anyslWriteImage)>(imageFunction("anyslWriteImage"));
+  write(options.image.c_str(), int(options.gridWidth), int(options.gridHeight),
+        color->values.data(), &problem);
   if (!problem.empty())
     throw UserError("cannot write '" + options.image + "': " + problem);
 }

@@ -24,7 +24,7 @@ surface special(uniform float u = 1) {
   Ci = sqrt("a");                              // expected-error {{no function 'sqrt' takes (string)}}
   x = sqrt(Cs);                                // expected-error {{a value of type 'color' is no 'float'}}
   Ci = pow(Cs, N);                             // expected-error {{no function 'pow' takes (color, normal)}}
-  Ci = texture("file.tex"[0], s, t);           // expected-error {{built-in 'texture' is not supported: it needs textures}}
+  Ci = mtransform("world", 1);                 // expected-error {{built-in 'mtransform' is not supported: it needs named matrices}}
 }
 
 // Names of built-ins that are the shader's own.

@@ -1,0 +1,53 @@
+//===-- anysl/standard/hit-call.h - how a runtime asks what rays meet first -------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// A function of the runtime's own that stays a call, whose numbers come and go by address: widened,
+// each is an array with one element a lane, which is how AnyslServices::trace_hit wants them.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_STANDARD_HIT_CALL_H
+#define ANYSL_STANDARD_HIT_CALL_H
+
+#include <anysl/standard/context.h>
+
+#define ANYSL_HIT_PARAMETERS                                                                       \
+  const AnyslShadeArgs *args, uint32_t point, uint32_t shades, const float *px, const float *py,   \
+      const float *pz, const float *rx, const float *ry, const float *rz, const float *reach,      \
+      float *distance, float *nx, float *ny, float *nz, float *gx, float *gy, float *gz,           \
+      float *red, float *green, float *blue, float *opaqueRed, float *opaqueGreen,                 \
+      float *opaqueBlue
+#define ANYSL_HIT_ARGUMENTS                                                                        \
+  args, point, shades, px, py, pz, rx, ry, rz, reach, distance, nx, ny, nz, gx, gy, gz, red,       \
+      green, blue, opaqueRed, opaqueGreen, opaqueBlue
+/// The same in the vector function ABI's letters: uniform, linear, and addresses of lanes.
+#define ANYSL_HIT_LETTERS "ulul4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4"
+
+namespace anysl {
+
+/// Serves the points of `mask`, of `width` from `point` on, by one call of the renderer.
+inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask) {
+  AnyslHits hits = {sizeof(AnyslHits),
+                    shades,
+                    distance,
+                    {nx, ny, nz},
+                    {gx, gy, gz},
+                    {red, green, blue},
+                    {opaqueRed, opaqueGreen, opaqueBlue}};
+  for (uint32_t i = 0; i < width; ++i) {
+    distance[i] = -1;
+    for (uint32_t c = 0; c < 3; ++c)
+      hits.N[c][i] = hits.Ng[c][i] = hits.color[c][i] = hits.opacity[c][i] = 0;
+  }
+  const float *const P[3] = {px, py, pz}, *const R[3] = {rx, ry, rz};
+  if (args->services->trace_hit)
+    args->services->trace_hit(args->renderer, args, point, width, mask, P, R, reach, &hits);
+}
+
+} // namespace anysl
+
+#endif // ANYSL_STANDARD_HIT_CALL_H

@@ -1,0 +1,66 @@
+//===-- anysl/standard/hit.h - what rays meet first -------------------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// To be included where a runtime has defined, in an unnamed namespace,
+//
+//     void findHit(ANYSL_HIT_PARAMETERS);     // of standard/hit-call.h
+//
+// What is found carries no derivatives.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_STANDARD_HIT_H
+#define ANYSL_STANDARD_HIT_H
+
+#include <anysl/standard/hit-call.h>
+
+namespace anysl {
+
+/// The distance of what no ray meets.
+inline constexpr double nothingMet = 1e30;
+
+/// Each number gets an address of its own, for the runtime's function to read and write lanes
+/// there.
+inline bool findHit(const anysl_context *context, uint32_t shades, float px, float py, float pz,
+                    float rx, float ry, float rz, float reach, anysl_float &distance,
+                    anysl_normal &N, anysl_normal &Ng, anysl_color &color, anysl_color &opacity) {
+  float t, nx, ny, nz, gx, gy, gz, r, g, b, opaqueR, opaqueG, opaqueB;
+  ::findHit(context->args, context->point, shades, &px, &py, &pz, &rx, &ry, &rz, &reach, &t, &nx,
+            &ny, &nz, &gx, &gy, &gz, &r, &g, &b, &opaqueR, &opaqueG, &opaqueB);
+  bool isHit = t >= 0;
+  distance = anysl_float(isHit ? t : float(nothingMet));
+  N = {anysl_float(nx), anysl_float(ny), anysl_float(nz)};
+  Ng = {anysl_float(gx), anysl_float(gy), anysl_float(gz)};
+  color = {anysl_float(r), anysl_float(g), anysl_float(b)};
+  opacity = {anysl_float(opaqueR), anysl_float(opaqueG), anysl_float(opaqueB)};
+  return isHit;
+}
+
+inline bool findHit(const anysl_context *context, uint32_t shades, const anysl_point &P,
+                    const anysl_vector &R, const anysl_float &reach, anysl_float &distance,
+                    anysl_normal &N, anysl_normal &Ng, anysl_color &color, anysl_color &opacity) {
+  return findHit(context, shades, float(valueOf(P.x)), float(valueOf(P.y)), float(valueOf(P.z)),
+                 float(valueOf(R.x)), float(valueOf(R.y)), float(valueOf(R.z)),
+                 float(valueOf(reach)), distance, N, Ng, color, opacity);
+}
+
+} // namespace anysl
+
+bool anysl_trace_hit(anysl_context *context, const anysl_point *P, const anysl_vector *R,
+                     const anysl_float *reach, anysl_float *distance, anysl_normal *N,
+                     anysl_normal *Ng) {
+  anysl_color color, opacity;
+  return anysl::findHit(context, 0, *P, *R, *reach, *distance, *N, *Ng, color, opacity);
+}
+
+bool anysl_trace_shade(anysl_context *context, const anysl_point *P, const anysl_vector *R,
+                       const anysl_float *reach, anysl_float *distance, anysl_normal *N,
+                       anysl_normal *Ng, anysl_color *color, anysl_color *opacity) {
+  return anysl::findHit(context, 1, *P, *R, *reach, *distance, *N, *Ng, *color, *opacity);
+}
+
+#endif // ANYSL_STANDARD_HIT_H

@@ -1,0 +1,100 @@
+//===-- anysl/standard/texture-call.h - how a runtime asks for pictures -----------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// A lookup is a function of the runtime's own that stays a call. Every number and text comes by
+// address: widened, each is an array with one element a lane, which is how AnyslTexturePoints wants
+// them, so that one function serves one point and many.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_STANDARD_TEXTURE_CALL_H
+#define ANYSL_STANDARD_TEXTURE_CALL_H
+
+#include <anysl/standard/context.h>
+
+#define ANYSL_TEXTURE_PARAMETERS                                                                   \
+  const AnyslShadeArgs *args, uint32_t point, uint32_t query, const char *const *name,             \
+      const char *const *filter, const char *const *swrap, const char *const *twrap,               \
+      const float *channel, const float *fill, const float *bias, const float *samples,            \
+      const float *x, const float *y, const float *z, const float *xByU, const float *yByU,        \
+      const float *zByU, const float *xByV, const float *yByV, const float *zByV,                  \
+      const float *sblur, const float *tblur, float *r, float *g, float *b
+#define ANYSL_TEXTURE_ARGUMENTS                                                                    \
+  args, point, query, name, filter, swrap, twrap, channel, fill, bias, samples, x, y, z, xByU,     \
+      yByU, zByU, xByV, yByV, zByV, sblur, tblur, r, g, b
+/// The same in the vector function ABI's letters: uniform, linear, and addresses of lanes.
+#define ANYSL_TEXTURE_LETTERS "ulul8l8l8l8l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4"
+
+namespace anysl {
+
+/// What `query` says: the kind of picture, and how many channels are asked for.
+enum TextureKind : uint32_t { flatTexture = 0, environmentTexture = 1, shadowTexture = 2 };
+constexpr uint32_t textureQuery(TextureKind kind, uint32_t channels) {
+  return kind | channels << 8;
+}
+
+inline bool sameText(const char *a, const char *b) {
+  if (a == b || !a || !b)
+    return a == b;
+  for (; *a && *a == *b; ++a, ++b)
+    ;
+  return *a == *b;
+}
+
+/// Serves the points of `mask`, of `width` from `point` on: those that ask the same of the same
+/// file by one call of the renderer.
+inline void askForTextures(ANYSL_TEXTURE_PARAMETERS, uint32_t width, uint32_t mask) {
+  for (uint32_t i = 0; i < width; ++i)
+    r[i] = g[i] = b[i] = 0;
+  uint32_t kind = query & 0xff;
+  AnyslTextureService *service = kind == flatTexture          ? args->services->texture
+                                 : kind == environmentTexture ? args->services->environment
+                                                              : args->services->shadow;
+  if (!service)
+    return;
+  AnyslTexturePoints points = {sizeof(AnyslTexturePoints),
+                               {x, y, z},
+                               {xByU, yByU, zByU},
+                               {xByV, yByV, zByV},
+                               {sblur, tblur}};
+  while (mask) {
+    uint32_t lead = uint32_t(__builtin_ctz(mask)), group = 0;
+    for (uint32_t i = lead; i < width; ++i) {
+      bool same = channel[i] == channel[lead] && fill[i] == fill[lead] && bias[i] == bias[lead] &&
+                  samples[i] == samples[lead] && sameText(name[i], name[lead]) &&
+                  sameText(filter[i], filter[lead]) && sameText(swrap[i], swrap[lead]) &&
+                  sameText(twrap[i], twrap[lead]);
+      // The lead goes with itself even where NaN is not equal to itself.
+      group |= uint32_t(mask >> i & 1 && (same || i == lead)) << i;
+    }
+    mask &= ~group;
+    auto text = [](const char *t) { return t ? t : ""; };
+    auto count = [](float n) { return n > 0 && n < 1e6f ? uint32_t(n) : 0u; };
+    AnyslTextureRequest request = {sizeof(AnyslTextureRequest),
+                                   query >> 8,
+                                   count(channel[lead]),
+                                   count(samples[lead]),
+                                   text(name[lead]),
+                                   text(filter[lead]),
+                                   text(swrap[lead]),
+                                   text(twrap[lead]),
+                                   fill[lead],
+                                   bias[lead]};
+    alignas(64) float result[3 * 16] = {};
+    service(args->renderer, args, point, width, group, &request, &points, result);
+    for (uint32_t i = lead; i < width; ++i)
+      if (group >> i & 1) {
+        r[i] = result[i];
+        g[i] = request.channels > 1 ? result[width + i] : 0;
+        b[i] = request.channels > 1 ? result[2 * width + i] : 0;
+      }
+  }
+}
+
+} // namespace anysl
+
+#endif // ANYSL_STANDARD_TEXTURE_CALL_H
