@@ -215,7 +215,8 @@ enum class CallForm : uint8_t {
   Function,      ///< `function` is expanded
   Builtin,       ///< `builtin` is one operator
   ComponentWise, ///< `builtin` of floats, applied to each component of its arguments
-  ArrayLength,   ///< of a function's array parameter
+  Array,         ///< resize, push … of an array; `arrayOp` says which
+  ArrayLength,   ///< known where a function is expanded, or when the shader runs
   Spline,        ///< value, then an array or at least four knots; `basis` says which curve
   Query,         ///< name and variable
   Print,         ///< printf: a format and values
@@ -226,6 +227,9 @@ enum class CallForm : uint8_t {
 
 /// The curves that spline() knows.
 enum class SplineBasis : uint8_t { CatmullRom, Bezier, BSpline, Hermite, Power, Linear };
+
+/// What a call does to an array whose length changes.
+enum class ArrayOp : uint8_t { Resize, Reserve, Push, Pop, Capacity };
 
 struct CallExpr : Expr {
   StringRef name;
@@ -240,6 +244,7 @@ struct CallExpr : Expr {
   CallForm form = CallForm::Function;
   bool isSplit = false; ///< `rest` has been told from `args`
   SplineBasis basis = SplineBasis::CatmullRom;
+  ArrayOp arrayOp = ArrayOp::Resize;
   CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
       : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {
   }
@@ -437,7 +442,10 @@ struct VarDecl {
   bool isAssigned = false;
   bool isCopied = false;      ///< a function's parameter that its body assigns without `output`
   bool defaultVaries = false; ///< ShaderParam whose default differs from point to point
-  bool isHidden = false;      ///< made by Sema, not declared by a statement
+  int wantedCapacity = 0;     ///< FunctionParam [] whose length the body changes: the room it needs
+  VarDecl *lengthVariable =
+      nullptr;           ///< ShaderParam [] with the host's length: the parameter for it
+  bool isHidden = false; ///< made by Sema, not declared by a statement
 };
 
 struct FunctionDecl {

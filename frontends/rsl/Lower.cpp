@@ -68,6 +68,8 @@ Value *Lowering::paramSlot(const VarDecl &param) {
     slots[&param] = param.type.isArray() ? b.allocArray(type, unsigned(param.type.length),
                                                         param.name, storage(param.type))
                                          : b.alloc(type, param.name, storage(param.type));
+    if (param.lengthVariable)
+      lengths[slots[&param]] = paramSlot(*param.lengthVariable);
   }
   Value *slot = slots[&param];
   if (initOf)
@@ -188,6 +190,7 @@ static void tidy(Function &function) {
 
 void Lowering::beginBody() {
   slots.clear();
+  lengths.clear();
   globals.clear();
   lightGlobals.clear();
   writtenGlobals.clear();

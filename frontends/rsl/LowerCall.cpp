@@ -35,11 +35,13 @@ Value *Lowering::lowerCall(const CallExpr &call) {
     return callSpline(call);
   case CallForm::Query:
     return callQuery(call);
+  case CallForm::Array:
+    return callArray(call);
   case CallForm::ArrayLength: {
-    // Of a function's array parameter: the argument has the length.
-    auto slot = stc::slotInfo(lower(call.args[0]));
+    Value *array = lower(call.args[0]);
     at(call.loc);
-    return number(slot->arrayLength);
+    Value *length = lengthOf(array);
+    return lengths.count(array) ? copied({TypeKind::Float, true}, length) : length;
   }
   case CallForm::Print:
   case CallForm::Format:
@@ -241,8 +243,10 @@ Value *Lowering::callFunction(const CallExpr &call) {
     if (param->isOutput) {
       Place target = place(arg);
       Value *given = load(target, arg->type);
-      if (auto slot = stc::slotInfo(given); type.isArray() && slot)
-        type.length = static_cast<int>(slot->arrayLength);
+      if (type.isArray()) {
+        type.length = int(capacityOf(given));
+        type.isResizable = lengths.count(given);
+      }
       at(call.loc);
       // The body may give its parameter values that vary although the argument's old one does not.
       type.varying |= param->type.varying && arg->type.varying;
@@ -261,8 +265,10 @@ Value *Lowering::callFunction(const CallExpr &call) {
     }
     at(call.loc);
     if (param->isCopied) {
-      if (auto slot = stc::slotInfo(value); type.isArray() && slot)
-        type.length = static_cast<int>(slot->arrayLength);
+      if (type.isArray()) {
+        type.length = int(capacityOf(value));
+        type.isResizable = lengths.count(value);
+      }
       type.varying = true;
       Value *fresh = temporary(type, param->name);
       copy(type, fresh, value);

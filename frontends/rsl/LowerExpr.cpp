@@ -31,8 +31,12 @@ Op Lowering::opFor(TypeKind kind, Op onFloat, Op onColor, Op onVector) {
 }
 
 Value *Lowering::temporary(Type type, StringRef name) {
-  if (type.isArray())
-    return b.allocArray(lowered(type.kind), unsigned(type.length), name, storage(type));
+  if (type.isArray()) {
+    Value *array = b.allocArray(lowered(type.kind), unsigned(type.length), name, storage(type));
+    if (type.isResizable)
+      lengths[array] = b.alloc(stc::Type::floatTy, (name + ".length").str(), storage(type));
+    return array;
+  }
   return b.alloc(lowered(type.kind), name, storage(type));
 }
 
@@ -41,8 +45,10 @@ void Lowering::copy(Type type, Value *to, Value *from) {
     return;
   auto slot = stc::slotInfo(to);
   if (slot && slot->arrayLength) {
-    for (unsigned i = 0; i < slot->arrayLength; ++i)
+    unsigned count = std::min(slot->arrayLength, capacityOf(from));
+    for (unsigned i = 0; i < count; ++i)
       copy(type.element(), elementOf(to, i), elementOf(from, i));
+    copyLength(to, from);
     return;
   }
   Op op = type.kind == TypeKind::Matrix ? Op::copy_matrix
@@ -55,6 +61,7 @@ void Lowering::copy(Type type, Value *to, Value *from) {
 Value *Lowering::copied(Type type, Value *value) {
   if (auto slot = stc::slotInfo(value); slot && slot->arrayLength)
     type.length = static_cast<int>(slot->arrayLength);
+  type.isResizable = lengths.count(value);
   Value *fresh = temporary(type);
   copy(type, fresh, value);
   return fresh;
@@ -76,6 +83,8 @@ void Lowering::setZero(Type type, Value *slot) {
   if (auto info = stc::slotInfo(slot); info && info->arrayLength) {
     for (unsigned i = 0; i < info->arrayLength; ++i)
       setZero(type.element(), elementOf(slot, i));
+    if (Value *length = lengths.lookup(slot))
+      b.call(Op::const_float, {length, b.number(0)});
     return;
   }
   if (type.kind == TypeKind::String || type.kind == TypeKind::Shader)
@@ -228,7 +237,9 @@ Value *Lowering::lowerIndex(const IndexExpr &index) {
   Value *base = lower(index.base);
   if (auto *number = dyn_cast<NumberExpr>(index.index)) {
     at(index.loc);
-    return b.element(base, b.index(static_cast<int>(number->value)));
+    // An array that came without a known length may be shorter than what it stands for.
+    int last = int(capacityOf(base)) - 1;
+    return b.element(base, b.index(std::clamp(static_cast<int>(number->value), 0, last)));
   }
   Value *subscript = lower(index.index);
   at(index.loc);
@@ -457,6 +468,15 @@ Value *Lowering::lowerCast(const CastExpr &cast) {
 /// Elements that the list does not give are 0.
 void Lowering::lowerListInto(const ListExpr &list, Value *array) {
   Type element = list.type.element();
+  if (Value *length = lengths.lookup(array)) {
+    for (size_t i = 0; i < list.elements.size() && i < capacityOf(array); ++i) {
+      Value *value = lower(list.elements[i]);
+      at(list.loc);
+      copy(element, elementOf(array, unsigned(i)), value);
+    }
+    b.call(Op::const_float, {length, b.number(double(list.elements.size()))});
+    return;
+  }
   for (int i = 0; i < list.type.length; ++i) {
     Value *value = size_t(i) < list.elements.size() ? lower(list.elements[i]) : zero(element);
     at(list.loc);

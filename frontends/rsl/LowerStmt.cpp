@@ -102,6 +102,15 @@ void Lowering::lowerVariable(const VarDecl &decl) {
     value = lower(decl.init);
   at(decl.range.Start);
   Value *slot = temporary(decl.type, decl.name);
+  if (lengths.count(slot)) {
+    if (decl.length) {
+      Value *count = lower(decl.length);
+      at(decl.range.Start);
+      setLength(slot, count);
+    } else {
+      b.call(Op::const_float, {lengths.lookup(slot), b.number(0)});
+    }
+  }
   if (list)
     lowerListInto(*list, slot);
   else if (value && decl.type.isArray() && !decl.init->type.isArray())

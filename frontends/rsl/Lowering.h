@@ -107,6 +107,13 @@ private:
   void setZero(Type type, Value *slot);
   Value *spaceMatrix(Value *from, Value *to, SMLoc loc);
 
+  // Arrays whose length changes (LowerArray.cpp)
+  static unsigned capacityOf(Value *array);
+  Value *lengthOf(Value *array);
+  void copyLength(Value *to, Value *from);
+  void setLength(Value *array, Value *count);
+  Value *callArray(const CallExpr &call);
+
   // Calls (LowerCall.cpp)
   Value *lowerCall(const CallExpr &call);
   Value *callBuiltin(const CallExpr &call);
@@ -136,6 +143,7 @@ private:
   // Of the function being written
   llvm::DenseMap<const VarDecl *, Value *> slots;
   llvm::DenseMap<const OpaqueExpr *, Value *> opaques;
+  llvm::DenseMap<Value *, Value *> lengths; ///< of resizable arrays, by their slots
   std::map<unsigned, Value *> globals;      ///< slots of shader globals, by number
   std::map<unsigned, Value *> lightGlobals; ///< inside illuminance: L and Cl
   std::set<unsigned> writtenGlobals;

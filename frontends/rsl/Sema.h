@@ -110,6 +110,13 @@ private:
   void bindObject(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps);
   Expr *copyResult(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps);
 
+  // Arrays whose length changes (SemaArray.cpp)
+  static void raiseCapacity(Expr *array, int capacity);
+  static void raiseCapacityFor(Expr *array, Type from);
+  void checkResizedArguments(const CallExpr &call);
+  Expr *checkArrayCall(CallExpr &call);
+  void checkParams(llvm::ArrayRef<VarDecl *> &params);
+
   // Class shaders (SemaClass.cpp)
   void checkClass(StructDecl &decl);
   void checkShaderName(const ShaderDecl &shader);
@@ -193,6 +200,9 @@ private:
   unsigned loops = 0;
   unsigned illuminances = 0;
 };
+
+/// Whether a name is an operation on an array: resize, push, …
+bool isArrayCall(StringRef name);
 
 /// The common type of two operands of arithmetic; Error if there is none.
 TypeKind combinedKind(BinaryOp op, Type left, Type right);

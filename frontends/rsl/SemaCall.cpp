@@ -120,6 +120,8 @@ Type Sema::probeInner(Expr *expr) {
     for (Type arg : args)
       if (arg.isTriple() && !builtinsNamed(call->name).empty())
         return arg;
+    if (call->name == "pop" && args.size() == 1)
+      return args[0].element();
     return {specialResult(call->name)};
   }
   case ExprKind::Comma:
@@ -384,6 +386,8 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
       call->hasEffects = true;
     }
   }
+  if (chosen->function && !bad)
+    checkResizedArguments(*call);
   if (chosen->function) {
     varying |= chosen->function->isVarying;
     if (chosen->function->resultHasStorage)

@@ -47,8 +47,7 @@ static ArrayRef<Entry> entries() {
 
 void Sema::checkClass(StructDecl &decl) {
   pushScope();
-  for (VarDecl *param : decl.params)
-    checkParam(*param);
+  checkParams(decl.params);
   checkMembers(decl);
   popScope();
 }

@@ -160,8 +160,7 @@ void Sema::checkShader(ShaderDecl &decl) {
   ast.shaders.push_back(&decl);
   shader = &decl;
   pushScope();
-  for (VarDecl *param : decl.params)
-    checkParam(*param);
+  checkParams(decl.params);
   pushScope();
   for (Stmt *stmt : decl.body->body)
     checkStmt(stmt);
@@ -178,11 +177,20 @@ void Sema::checkParam(VarDecl &param) {
     param.init = nullptr;
     return declare(&param);
   }
+  // The host may give an array without a length or elements as many as there is room for.
+  static constexpr int Room = 32;
+  auto *list = dyn_cast_or_null<ListExpr>(param.init);
+  if (param.type.length == Type::AnyLength && (!param.init || (list && list->elements.empty()))) {
+    param.type.isResizable = true;
+    param.type.length = Room;
+  }
   if (!param.init) {
     diags
         .warning(param.range.Start, MissingDefault,
                  "parameter '" + param.name + "' has no default; it is taken to be " +
-                     (param.type.kind == TypeKind::String ? "\"\"" : "0"))
+                     (param.type.isResizable                ? "empty"
+                      : param.type.kind == TypeKind::String ? "\"\""
+                                                            : "0"))
         .range(param.range);
   } else {
     checkInitialiser(param);
@@ -327,7 +335,11 @@ void Sema::checkArrayLength(VarDecl &decl) {
     return;
   }
   std::optional<double> value = constant(decl.length);
-  if (!value) {
+  if (!value && decl.kind == VarKind::Local && !decl.type.structure &&
+      decl.length->type.is(TypeKind::Float)) {
+    decl.type.isResizable = true; // as if resize() came next
+    decl.type.length = 64;
+  } else if (!value) {
     diags.error(decl.length->loc, "the length of an array must be a constant number")
         .range(decl.length->range);
     decl.type.length = 1;
@@ -351,14 +363,18 @@ void Sema::checkVariable(VarDecl &decl) {
     expandStruct(decl);
     if (decl.init)
       initialiseStruct(decl);
-  } else if (decl.init) {
+  } else if (decl.init || decl.type.length == Type::AnyLength) {
+    if (decl.type.length == Type::AnyLength) {
+      decl.type.isResizable = true;
+      auto *list = dyn_cast_or_null<ListExpr>(decl.init);
+      decl.type.length = list ? std::max<int>(1, int(list->elements.size())) : 1;
+    }
     // The value is looked at before the name is there: `float s = s` means the outer s.
-    checkInitialiser(decl);
+    if (decl.init)
+      checkInitialiser(decl);
   }
   if (decl.type.length == Type::AnyLength) {
-    diags
-        .error(decl.range.Start,
-               "array '" + decl.name + "' needs a length; resizable arrays are not supported")
+    diags.error(decl.range.Start, "array '" + decl.name + "' of structures needs a length")
         .range(decl.range);
     decl.type.length = 1;
   }
@@ -373,6 +389,8 @@ void Sema::checkInitialiser(VarDecl &decl) {
       decl.init = check(decl.init);
       if (decl.type.length == Type::AnyLength && decl.init->type.isArray())
         decl.type.length = decl.init->type.length;
+      if (decl.type.isResizable && decl.init->type.isArray())
+        decl.type.length = std::max(decl.type.length, decl.init->type.length);
       decl.init = convert(decl.init, decl.type, what);
     } else {
       if (decl.type.length == Type::AnyLength && !list->elements.empty())

@@ -144,7 +144,10 @@ Expr *Sema::checkIndex(IndexExpr &index) {
         value && base.length > 0 && (*value < 0 || *value >= base.length)) {
       diags
           .error(index.index->loc,
-                 "index outside of the array, which has " + Twine(base.length) + " elements")
+                 base.isResizable
+                     ? "index outside of the array's capacity, which is so far " +
+                           Twine(base.length) + "; reserve(…) raises it"
+                     : "index outside of the array, which has " + Twine(base.length) + " elements")
           .range(index.index->range);
       return failed(&index);
     }
@@ -516,6 +519,7 @@ Expr *Sema::checkAssign(AssignExpr &assign) {
   if (target.isArray()) {
     assign.value = check(assign.value);
     assign.value = convert(assign.value, target, what);
+    raiseCapacityFor(assign.target, assign.value->type);
   } else {
     assign.value = checkAs(assign.value, target, what);
   }

@@ -18,6 +18,8 @@ static constexpr WarningGroup Unanswered{"unanswered", true};
 Expr *Sema::checkSpecial(CallExpr &call, TypeKind hint) {
   if (call.name == "arraylength")
     return checkArrayLengthCall(call);
+  if (isArrayCall(call.name))
+    return checkArrayCall(call);
   if (call.name == "spline")
     return checkSpline(call, hint);
   if (call.name == "printf" || call.name == "format")
@@ -39,7 +41,7 @@ Expr *Sema::checkArrayLengthCall(CallExpr &call) {
     call.type = {TypeKind::Error};
     return &call;
   }
-  if (array->type.length == Type::AnyLength) {
+  if (array->type.length == Type::AnyLength || array->type.isResizable) {
     // Known where the function is expanded; lowering looks at the argument.
     call.args[0] = array;
     call.form = CallForm::ArrayLength;

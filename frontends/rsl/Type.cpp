@@ -53,7 +53,8 @@ StringRef nameOf(TypeKind kind) {
 std::string toString(Type type) {
   std::string text = (type.structure ? type.structure->name : nameOf(type.kind)).str();
   if (type.isArray())
-    text += type.length == Type::AnyLength ? "[]" : "[" + itostr(type.length) + "]";
+    text +=
+        type.length == Type::AnyLength || type.isResizable ? "[]" : "[" + itostr(type.length) + "]";
   return text;
 }
 
@@ -109,8 +110,10 @@ int conversionCost(Type from, Type to) {
   if (from.isArray() || to.isArray()) {
     bool fits = from.isArray() && to.isArray() && from.kind == to.kind &&
                 from.structure == to.structure &&
-                (from.length == to.length || to.length == Type::AnyLength);
-    return fits ? 0 : -1;
+                (from.length == to.length || to.length == Type::AnyLength || from.isResizable ||
+                 to.isResizable);
+    // The right length is better than one that is known only when the shader runs.
+    return !fits ? -1 : from.isResizable && to.length > 0 && !to.isResizable ? 1 : 0;
   }
   if (from.kind == to.kind)
     return from.structure == to.structure ? 0 : -1;

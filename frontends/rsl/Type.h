@@ -39,6 +39,7 @@ struct Type {
   bool varying = false;
   int length = NoArray;
   const StructDecl *structure = nullptr;
+  bool isResizable = false; ///< an array whose length changes; `length` is the room that it has
 
   bool is(TypeKind other) const { return kind == other && !isArray(); }
   bool isError() const { return kind == TypeKind::Error; }
@@ -51,7 +52,7 @@ struct Type {
   /// float, matrix or a triple: what arithmetic is for
   bool isNumeric() const { return isTriple() || is(TypeKind::Float) || is(TypeKind::Matrix); }
   Type element() const { return {kind, varying, NoArray, structure}; }
-  Type withVarying(bool is) const { return {kind, is, length, structure}; }
+  Type withVarying(bool is) const { return {kind, is, length, structure, isResizable}; }
 };
 
 /// As written in RSL: `color`, `float[3]`.

@@ -161,8 +161,9 @@ ANYSL_API const AnyslShaderInfo *anysl_instance_shader(const AnyslInstance *inst
 /**
  * Gives a parameter a value, as \p count numbers: all components of all array elements. As in the
  * shading language a single number does for a colour, point, vector or normal (that number three
- * times) and for a matrix (that multiple of the identity). Defaults that depend on this parameter
- * are computed anew.
+ * times) and for a matrix (that multiple of the identity). An array that has a parameter
+ * "NAME.length" beside it may get fewer elements than it has room for; that parameter is set with
+ * it. Defaults that depend on this parameter are computed anew.
  */
 ANYSL_API AnyslStatus anysl_instance_set_numbers(AnyslInstance *instance, const char *param,
                                                  const double *values, size_t count);

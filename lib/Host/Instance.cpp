@@ -70,6 +70,27 @@ AnyslStatus findSettable(const AnyslInstance &instance, const char *name, bool t
   return ANYSL_OK;
 }
 
+/// Where an array may have fewer elements than it has room for, the parameter that says how many.
+const AnyslParamInfo *lengthParam(const AnyslInstance &instance, const AnyslParamInfo &param) {
+  return param.array_length
+             ? anysl_shader_param(instance.shader, (std::string(param.name) + ".length").c_str())
+             : nullptr;
+}
+
+/// Whether so many values fit a parameter.
+bool fitsCount(const AnyslInstance &instance, const AnyslParamInfo &param, size_t count) {
+  return count == cellsOf(param) || (count < cellsOf(param) && lengthParam(instance, param) &&
+                                     count % anysl_type_components(param.type) == 0);
+}
+
+/// Notes how many elements an array was given.
+void setLength(AnyslInstance &instance, const AnyslParamInfo &param, size_t count) {
+  if (const AnyslParamInfo *length = lengthParam(instance, param)) {
+    instance.cells[length->first_cell].number = double(count / anysl_type_components(param.type));
+    instance.isSet[length - instance.shader->params] = true;
+  }
+}
+
 void markSet(AnyslInstance &instance, const AnyslParamInfo &param, bool set) {
   instance.isSet[&param - instance.shader->params] = set;
   computeDefaults(instance);
@@ -82,12 +103,15 @@ AnyslStatus setNumbers(AnyslInstance &instance, const char *name, const double *
     return status;
   uint32_t cells = cellsOf(*param);
   bool spread = count == 1 && !param->array_length;
-  if (count != cells && !spread)
+  if (!fitsCount(instance, *param, count) && !spread)
     return wrongCount(instance, *param, count);
   AnyslCell *cell = &instance.cells[param->first_cell];
   bool diagonal = spread && param->type == ANYSL_MATRIX;
   for (uint32_t i = 0; i < cells; ++i)
-    cell[i].number = diagonal ? (i % 5 == 0 ? values[0] : 0) : values[spread ? 0 : i];
+    cell[i].number = diagonal ? (i % 5 == 0 ? values[0] : 0)
+                     : spread ? values[0]
+                              : (i < count ? values[i] : 0);
+  setLength(instance, *param, count);
   markSet(instance, *param, true);
   return ANYSL_OK;
 }
@@ -97,7 +121,7 @@ AnyslStatus setStrings(AnyslInstance &instance, const char *name, const char *co
   const AnyslParamInfo *param;
   if (AnyslStatus status = findSettable(instance, name, true, param))
     return status;
-  if (count != cellsOf(*param))
+  if (!fitsCount(instance, *param, count))
     return wrongCount(instance, *param, count);
   std::vector<std::unique_ptr<std::string>> copies;
   for (size_t i = 0; i < count; ++i)
@@ -106,6 +130,9 @@ AnyslStatus setStrings(AnyslInstance &instance, const char *name, const char *co
     instance.cells[param->first_cell + i].string = copies[i]->c_str();
     instance.texts[param->first_cell + i] = std::move(copies[i]);
   }
+  for (size_t i = count; i < cellsOf(*param); ++i)
+    instance.cells[param->first_cell + i].string = "";
+  setLength(instance, *param, count);
   markSet(instance, *param, true);
   return ANYSL_OK;
 }
@@ -184,6 +211,8 @@ AnyslStatus anysl_instance_unset(AnyslInstance *instance, const char *param) {
     if (index < 0)
       return ANYSL_ERROR_NAME;
     clear(*instance, instance->shader->params[index]);
+    if (const AnyslParamInfo *length = lengthParam(*instance, instance->shader->params[index]))
+      instance->isSet[length - instance->shader->params] = false;
     markSet(*instance, instance->shader->params[index], false);
     return ANYSL_OK;
   });

@@ -43,6 +43,16 @@ std::string describeType(const stc::ParamInfo &param) {
   return param.arrayLength ? type + "[" + std::to_string(param.arrayLength) + "]" : type;
 }
 
+/// Where an array may have fewer elements than it has room for, the number of the parameter that
+/// says how many.
+std::optional<unsigned> lengthParam(const Shader &shader, unsigned number) {
+  std::string name = shader.info.params[number].name + ".length";
+  for (unsigned i = 0; i < shader.info.params.size(); ++i)
+    if (shader.info.params[number].arrayLength && shader.info.params[i].name == name)
+      return i;
+  return std::nullopt;
+}
+
 /// Parses the values for one parameter. An element that is not a single number may be given by one
 /// number, as the shading language converts it: a triple of equal components, a multiple of the
 /// identity matrix.
@@ -55,6 +65,9 @@ std::optional<FixedValue> parseValue(Session &session, Shader &shader, unsigned 
   };
   FixedValue value{&shader, number, splitValues(text), {}};
   unsigned cells = param.cellCount();
+  if (lengthParam(shader, number) && value.texts.size() < cells &&
+      value.texts.size() % info(param.type).components == 0)
+    value.texts.resize(cells, param.type == stc::Type::stringTy ? "" : "0");
   if (param.type == stc::Type::stringTy) {
     if (!param.arrayLength)
       value.texts = {text};
@@ -119,6 +132,11 @@ bool parseOption(Session &session, StringRef option, std::vector<FixedValue> &va
       }
       shader.fixed[i] = true;
       values.push_back(std::move(*value));
+      if (std::optional<unsigned> length = lengthParam(shader, i)) {
+        unsigned components = info(shader.info.params[i].type).components;
+        shader.fixed[*length] = true;
+        values.push_back({&shader, *length, {}, {double(splitValues(text).size() / components)}});
+      }
     }
   }
   if (!knownShader)

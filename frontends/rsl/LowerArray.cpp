@@ -1,0 +1,94 @@
+//===-- frontends/rsl/LowerArray.cpp - arrays whose length changes ----------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// `lengths` knows for the slot of each resizable array the slot of its length, a float. Lengths
+// never exceed the room there is, so that what a shader asks for beyond it is left out.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "frontends/rsl/Lowering.h"
+
+using namespace llvm;
+
+namespace anysl::rsl {
+
+using stc::Op;
+
+unsigned Lowering::capacityOf(Value *array) { return stc::slotInfo(array)->arrayLength; }
+
+/// The slot of an array's length; for an array of fixed length a constant.
+Value *Lowering::lengthOf(Value *array) {
+  if (Value *length = lengths.lookup(array))
+    return length;
+  return number(capacityOf(array));
+}
+
+/// `to` has got the elements of `from`, as far as it has room.
+void Lowering::copyLength(Value *to, Value *from) {
+  Value *length = lengths.lookup(to);
+  if (!length)
+    return;
+  if (capacityOf(from) <= capacityOf(to))
+    copy({TypeKind::Float}, length, lengthOf(from));
+  else
+    b.call(Op::min_float, {length, lengthOf(from), number(capacityOf(to))});
+}
+
+/// A length from a number: an integer that the array has room for.
+void Lowering::setLength(Value *array, Value *count) {
+  Value *whole = temporary({TypeKind::Float, true});
+  b.call(Op::floor, {whole, count});
+  b.call(Op::clamp_float, {lengths.lookup(array), whole, number(0), number(capacityOf(array))});
+}
+
+Value *Lowering::callArray(const CallExpr &call) {
+  Value *array = lower(call.args[0]);
+  if (call.arrayOp == ArrayOp::Capacity)
+    return number(capacityOf(array));
+  Value *value = call.args.size() > 1 ? lower(call.args[1]) : nullptr;
+  at(call.loc);
+  Value *length = lengths.lookup(array);
+  Type element = call.args[0]->type.element();
+  if (!length) // Sema refuses that; an expansion that is wrong otherwise may lead here
+    return call.type.is(TypeKind::Void) ? nullptr : zero(element);
+  switch (call.arrayOp) {
+  case ArrayOp::Resize:
+    setLength(array, value);
+    return nullptr;
+  case ArrayOp::Push: {
+    Value *grown = temporary({TypeKind::Float, true});
+    BasicBlock *room = b.block("push"), *end = b.block("push.end");
+    branchIf(b.call(Op::lt_float, {length, number(capacityOf(array))}), room, end);
+    continueIn(room);
+    copy(element, b.element(array, b.call(Op::index, {length})), value);
+    b.call(Op::add_float, {grown, length, number(1)});
+    copy({TypeKind::Float}, length, grown);
+    branchTo(end);
+    continueIn(end);
+    return nullptr;
+  }
+  case ArrayOp::Pop: {
+    Value *result = zero(element.withVarying(true));
+    Value *less = temporary({TypeKind::Float, true});
+    BasicBlock *some = b.block("pop"), *end = b.block("pop.end");
+    branchIf(b.call(Op::gt_float, {length, number(0)}), some, end);
+    continueIn(some);
+    b.call(Op::sub_float, {less, length, number(1)});
+    copy({TypeKind::Float}, length, less);
+    copy(element, result, b.element(array, b.call(Op::index, {length})));
+    branchTo(end);
+    continueIn(end);
+    return result;
+  }
+  case ArrayOp::Reserve: // Sema has made the room
+  case ArrayOp::Capacity:
+    return nullptr;
+  }
+  llvm_unreachable("unknown operation on an array");
+}
+
+} // namespace anysl::rsl
