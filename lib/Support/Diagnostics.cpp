@@ -8,6 +8,7 @@
 #include "lib/Support/Diagnostics.h"
 
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/FileSystem.h"
 #include "llvm/Support/MemoryBuffer.h"
 #include <algorithm>
 
@@ -80,6 +81,12 @@ static std::unique_ptr<MemoryBuffer> withUnixLineEnds(StringRef text, StringRef 
 }
 
 Expected<unsigned> DiagnosticEngine::addFile(StringRef path, SMLoc includedFrom) {
+  // A device such as /dev/zero has no end.
+  sys::fs::file_status status;
+  if (path != "-" && !sys::fs::status(path, status) &&
+      (status.type() == sys::fs::file_type::character_file ||
+       status.type() == sys::fs::file_type::block_file))
+    return createStringError("it is a device");
   auto file = MemoryBuffer::getFileOrSTDIN(path, /*IsText=*/true);
   if (std::error_code code = file.getError())
     return errorCodeToError(code);
