@@ -55,7 +55,14 @@ std::string anysl::render::formatMessage(const Location &where, std::string_view
 }
 
 UserError::UserError(const Location &where, const std::string &message)
-    : std::runtime_error(formatMessage(where, "error", message)), where(where), message(message) {}
+    : std::runtime_error(message), where(where), message(message),
+      text(formatMessage(where, "error", message)) {}
+
+UserError UserError::withNote(const Location &place, const std::string &note) const {
+  UserError result = *this;
+  result.text += formatMessage(place, "note", note);
+  return result;
+}
 
 void Warnings::warn(const Location &where, const std::string &message) {
   warnOnce(formatMessage(where, "warning", message), where, message);
@@ -66,6 +73,12 @@ void Warnings::warnOnce(const std::string &key, const Location &where, const std
     return;
   texts.push_back(formatMessage(where, "warning", message));
   std::fputs(texts.back().c_str(), stderr);
+}
+
+void Warnings::fail(const Location &where, const std::string &message) {
+  if (!keepGoing)
+    throw UserError(where, message);
+  warn(where, message);
 }
 
 bool Warnings::contains(std::string_view text) const {

@@ -44,8 +44,15 @@ public:
   explicit UserError(const std::string &message) : UserError(Location(), message) {}
   UserError(const Location &where, const std::string &message);
 
+  /// The same error with one more place to look at below it.
+  UserError withNote(const Location &place, const std::string &note) const;
+  const char *what() const noexcept override { return text.c_str(); }
+
   Location where;
   std::string message; ///< what() without the place
+
+private:
+  std::string text;
 };
 
 /// A shape that cannot be made. It is left out with a warning, and the rest goes on.
@@ -60,9 +67,14 @@ public:
   void warn(const Location &where, const std::string &message);
   /// As warn(), but only the first message with this key is printed.
   void warnOnce(const std::string &key, const Location &where, const std::string &message);
+  /// Something without which the picture is not what was asked for: throws UserError, or warns if
+  /// the user wants to see the rest.
+  void fail(const Location &where, const std::string &message);
   size_t count() const { return shown.size(); }
   /// Whether a warning with this in it has been given.
   bool contains(std::string_view text) const;
+
+  bool keepGoing = false; ///< fail() warns
 
 private:
   std::set<std::string> shown;

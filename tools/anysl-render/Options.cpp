@@ -28,6 +28,7 @@ Renders a RIB scene whose shaders are compiled by AnySL.
   --max-depth N     how often light is traced on
   --shaders DIR     look for shaders there first; may be repeated
   --cache DIR       compiled shaders (default: $XDG_CACHE_HOME/anysl, ~/.cache/anysl)
+  --keep-going      leave out what is missing or wrong in the scene, with a warning
   --watch           render again whenever the scene or a shader changes
   --stats           print times and counts
   --stats-json FILE write them as JSON
@@ -109,6 +110,8 @@ Options anysl::render::parseOptions(int count, char **arguments) {
       options.statsFile = take();
     else if (option == "--watch")
       options.watch = true;
+    else if (option == "--keep-going")
+      options.keepGoing = true;
     else if (option == "--stats")
       options.stats = true;
     else if (option == "--quiet")

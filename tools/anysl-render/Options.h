@@ -25,6 +25,7 @@ struct Options {
   std::string cacheFolder;
   std::string statsFile;
   bool stats = false, quiet = false, watch = false;
+  bool keepGoing = false;
   bool help = false, version = false;
 };
 

@@ -86,6 +86,15 @@ Matrix4 RibArguments::matrix() {
   return result;
 }
 
+std::vector<double> RibArguments::rest(const char *what) {
+  std::vector<double> result;
+  while (!empty()) {
+    std::vector<double> some = array(what);
+    result.insert(result.end(), some.begin(), some.end());
+  }
+  return result;
+}
+
 std::vector<double> RibArguments::array(const char *what) {
   const RibArgument &argument = take(what);
   if (!argument.strings.empty())

@@ -48,6 +48,10 @@ public:
   std::vector<double> numbers(size_t count, const char *what);
   Vec3d triple(const char *what);
   Matrix4 matrix();
+  /// All that is left as numbers, one by one or as an array.
+  std::vector<double> rest(const char *what);
+  /// One argument of any kind.
+  const RibArgument &any(const char *what) { return take(what); }
   /// An array of any length.
   std::vector<double> array(const char *what);
   /// An array of indices or counts, none of them negative.

@@ -178,7 +178,9 @@ void RibState::clipping(RibArguments &arguments) {
 }
 
 void RibState::shutter(RibArguments &arguments) {
-  scene.camera.shutterOpen = arguments.numbers(2, "opening and closing time")[0];
+  auto n = arguments.numbers(2, "opening and closing time");
+  scene.camera.shutterOpen = n[0];
+  scene.camera.shutterClose = n[1];
 }
 
 void RibState::option(RibArguments &arguments) {
@@ -210,7 +212,7 @@ void RibState::option(RibArguments &arguments) {
     } else if (name == "anysl:ground") {
       background.ground = triple();
       background.visible = true;
-    } else if (group != "user") {
+    } else if (group != "user" && group != "searchpath") {
       warnUnknown("option", name, parameter.where);
     }
   }

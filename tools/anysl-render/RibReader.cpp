@@ -9,10 +9,6 @@
 #include "tools/anysl-render/RibLexer.h"
 #include "tools/anysl-render/RibState.h"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 using namespace anysl::render;
 
 namespace {
@@ -47,20 +43,7 @@ RibArgument readArray(RibLexer &lexer, size_t begin) {
 
 } // namespace
 
-std::shared_ptr<const SourceFile> anysl::render::loadSourceFile(const std::string &path) {
-  std::error_code error;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, error))
-    throw UserError("cannot read '" + path + "'");
-  auto file = std::make_shared<SourceFile>();
-  file->name = path;
-  file->text.assign(std::istreambuf_iterator<char>(stream), {});
-  return file;
-}
-
-std::vector<SceneDescription> anysl::render::readRib(std::shared_ptr<const SourceFile> file,
-                                                     Warnings &warnings) {
-  RibState state(std::filesystem::path(file->name).stem().string(), warnings);
+void anysl::render::readRequests(const std::shared_ptr<const SourceFile> &file, RibState &state) {
   RibLexer lexer(file);
   RibToken token = lexer.next();
   while (token.kind != RibToken::End) {
@@ -85,5 +68,11 @@ std::vector<SceneDescription> anysl::render::readRib(std::shared_ptr<const Sourc
     }
     state.execute(request);
   }
-  return state.finish(lexer.location(token.offset));
+}
+
+std::vector<SceneDescription> anysl::render::readRib(std::shared_ptr<const SourceFile> file,
+                                                     Warnings &warnings) {
+  RibState state(file->name, warnings);
+  readRequests(file, state);
+  return state.finish({file, file->text.size()});
 }

@@ -12,12 +12,17 @@
 
 namespace anysl::render {
 
-/// Reads a scene in the RenderMan Interface Bytestream's text form: one description for each
-/// WorldBegin ... WorldEnd. Requests that are not known get one warning a name and are passed over.
+class RibState;
+
+/// Reads a scene in the RenderMan Interface Bytestream: one description for each WorldBegin ...
+/// WorldEnd. Requests that are not known get one warning a name and are passed over.
 /// Throws UserError where the text cannot be understood.
 std::vector<SceneDescription> readRib(std::shared_ptr<const SourceFile> file, Warnings &warnings);
 
-/// Reads the file with this name; throws UserError where it cannot.
+/// Hands the requests of a file to the state, one after the other.
+void readRequests(const std::shared_ptr<const SourceFile> &file, RibState &state);
+
+/// Reads the file with this name, unpacked if it is gzip'ed; throws UserError where it cannot.
 std::shared_ptr<const SourceFile> loadSourceFile(const std::string &path);
 
 } // namespace anysl::render

@@ -45,8 +45,6 @@ void RibState::imager(RibArguments &arguments) {
 }
 
 void RibState::lightSource(RibArguments &arguments) {
-  if (!inWorld())
-    throw UserError(arguments.where(), "LightSource: lights belong inside WorldBegin ... WorldEnd");
   LightUse light;
   light.where = arguments.where();
   light.name = arguments.string("a light's name");

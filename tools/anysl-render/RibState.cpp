@@ -9,6 +9,7 @@
 #include "tools/anysl-render/RibState.h"
 
 #include <algorithm>
+#include <set>
 
 using namespace anysl::render;
 
@@ -21,8 +22,20 @@ const std::unordered_map<std::string_view, RibState::Handler> &RibState::table()
   return entries;
 }
 
+RibState::RibState(const std::string &fileName, Warnings &warnings)
+    : sceneFile(fileName), warnings(warnings) {
+  openArchives.push_back(sceneFile);
+}
+
 void RibState::execute(const RibRequest &request) {
+  if (recording) {
+    record(request);
+    return;
+  }
   auto entry = table().find(request.name);
+  static const std::set<std::string_view> conditionals = {"IfBegin", "ElseIf", "Else", "IfEnd"};
+  if (isPassedOver() && !conditionals.contains(request.name))
+    return;
   if (entry == table().end()) {
     warnings.warnOnce("request " + request.name, request.where,
                       "request " + request.name + " is not known and is passed over");
@@ -31,19 +44,26 @@ void RibState::execute(const RibRequest &request) {
   RibArguments arguments(request, declarations);
   try {
     (this->*entry->second)(arguments);
+    if (!arguments.empty() && entry->second != &RibState::ignored)
+      throw UserError(request.arguments.back().where,
+                      request.name + ": more arguments than expected");
   } catch (const ShapeError &error) {
     warnings.warn(error.where, error.message + "; the shape is left out");
-    return;
+  } catch (const UserError &error) {
+    if (!warnings.keepGoing)
+      throw;
+    warnings.warn(error.where, error.message);
   }
-  if (!arguments.empty() && entry->second != &RibState::ignored)
-    throw UserError(request.arguments.back().where,
-                    request.name + ": more arguments than expected");
 }
 
 std::vector<SceneDescription> RibState::finish(const Location &end) {
+  if (recording)
+    throw UserError(recording->where, recording->begin + " without its end");
+  if (!conditions.empty())
+    throw UserError(conditions.back().where, "IfBegin without its end");
   if (!blocks.empty()) {
     static const char *const names[] = {"FrameBegin", "WorldBegin", "AttributeBegin",
-                                        "TransformBegin"};
+                                        "TransformBegin", "SolidBegin"};
     throw UserError(blocks.back().where,
                     std::string(names[size_t(blocks.back().kind)]) + " without its end");
   }

@@ -17,15 +17,27 @@
 #include "tools/anysl-render/PrimitiveVariables.h"
 #include "tools/anysl-render/RibArguments.h"
 
+#include <filesystem>
 #include <unordered_map>
 
 namespace anysl::render {
 
+/// Requests that are kept for later.
+using Recording = std::shared_ptr<std::vector<RibRequest>>;
+/// ObjectBegin, ArchiveBegin or MotionBegin whose end has not come yet.
+struct OpenRecording {
+  std::string begin, end; ///< the requests' names
+  unsigned depth = 1;     ///< of blocks of the same kind
+  std::string handle;
+  Location where;
+  Recording requests = std::make_shared<std::vector<RibRequest>>();
+};
+
 /// The state that requests change, and the scenes they have made so far.
 class RibState {
 public:
-  RibState(std::string baseName, Warnings &warnings)
-      : baseName(std::move(baseName)), warnings(warnings) {}
+  /// `fileName` is the scene's, from whose folder files are looked for.
+  RibState(const std::string &fileName, Warnings &warnings);
 
   /// Does one request.
   void execute(const RibRequest &request);
@@ -36,7 +48,7 @@ private:
   using Handler = void (RibState::*)(RibArguments &);
   static const std::unordered_map<std::string_view, Handler> &table();
 
-  enum class Block { Frame, World, Attribute, Transform };
+  enum class Block { Frame, World, Attribute, Transform, Solid };
   struct OpenBlock {
     Block kind;
     Location where;
@@ -46,10 +58,32 @@ private:
     Matrix4 transform = Matrix4::identity(); ///< object to camera
     bool lightShadows = true;
     Basis basisU = Basis::bezier, basisV = Basis::bezier;
+    double detail = 0;          ///< of the bound that Detail has stated, in pixels; 0: none
+    bool isTooDetailed = false; ///< DetailRange leaves the shapes out
+  };
+  struct Condition {
+    Location where;
+    bool taken;  ///< some branch has been, or the whole block is passed over
+    bool active; ///< the present branch is done
   };
 
 #define RIB_REQUEST(name, handler) void handler(RibArguments &);
 #include "tools/anysl-render/RibRequests.def"
+
+  void record(const RibRequest &request);
+  void startRecording(const char *begin, const char *end, std::string handle,
+                      const RibArguments &arguments);
+  /// Does what has been recorded, as if it stood here. What it opens it has to close.
+  void replay(const Recording &requests, const Location &where);
+  /// Does a motion block's request as it is when the shutter opens.
+  void doMotion(const OpenRecording &motion);
+  /// Reads a file or an archive of the scene's own.
+  void includeArchive(const std::string &name, const Location &where);
+  std::filesystem::path findArchive(const std::string &name, const Location &where) const;
+  bool isPassedOver() const { return !conditions.empty() && !conditions.back().active; }
+  bool evaluate(const std::string &expression, const Location &where) const;
+  /// What an option or attribute has been set to, or null.
+  const Parameter *findSetting(std::string_view name) const;
 
   void open(Block kind, const RibArguments &arguments);
   void close(Block kind, const char *name, const RibArguments &arguments);
@@ -66,7 +100,7 @@ private:
   /// Warns once that a name of an option, attribute or parameter means nothing here.
   void warnUnknown(const char *what, const std::string &name, const Location &where);
 
-  std::string baseName;
+  std::filesystem::path sceneFile;
   Warnings &warnings;
   std::map<std::string, Declaration, std::less<>> declarations;
   GraphicsState state;
@@ -74,7 +108,16 @@ private:
   SceneDescription scene;
   std::vector<SceneDescription> savedScenes; ///< options before FrameBegin and WorldBegin
   std::vector<OpenBlock> blocks;
+  size_t blockFloor = 0; ///< blocks that the archive or object being read may not close
   std::map<std::string, uint32_t, std::less<>> lightHandles;
+
+  std::optional<OpenRecording> recording;
+  std::map<std::string, Recording, std::less<>> objects, archives;
+  std::vector<double> motionTimes;
+  std::vector<Condition> conditions;
+  std::vector<std::filesystem::path> openArchives;
+  unsigned replays = 0; ///< how deep
+  double frame = 0;
   std::vector<SceneDescription> finished;
 };
 

@@ -18,7 +18,7 @@ void RibState::open(Block kind, const RibArguments &arguments) {
 }
 
 void RibState::close(Block kind, const char *name, const RibArguments &arguments) {
-  if (blocks.empty() || blocks.back().kind != kind)
+  if (blocks.size() <= blockFloor || blocks.back().kind != kind)
     throw UserError(arguments.where(), std::string(name) + "End does not match the open block");
   blocks.pop_back();
   GraphicsState saved = std::move(savedStates.back());
@@ -35,7 +35,7 @@ bool RibState::inWorld() const {
 }
 
 void RibState::frameBegin(RibArguments &arguments) {
-  arguments.number("the frame's number");
+  frame = arguments.number("the frame's number");
   if (inWorld())
     throw UserError(arguments.where(), "FrameBegin inside a world");
   open(Block::Frame, arguments);
@@ -46,6 +46,7 @@ void RibState::frameEnd(RibArguments &arguments) {
   close(Block::Frame, "Frame", arguments);
   scene = std::move(savedScenes.back());
   savedScenes.pop_back();
+  std::erase_if(lightHandles, [&](auto &entry) { return entry.second >= scene.lights.size(); });
 }
 
 void RibState::worldBegin(RibArguments &arguments) {
@@ -62,10 +63,12 @@ void RibState::worldBegin(RibArguments &arguments) {
 void RibState::worldEnd(RibArguments &arguments) {
   close(Block::World, "World", arguments);
   if (scene.outputs.empty())
-    scene.outputs.push_back({baseName + ".png", "file", {{"rgb", {}}}, false, arguments.where()});
+    scene.outputs.push_back(
+        {sceneFile.stem().string() + ".png", "file", {{"rgb", {}}}, false, arguments.where()});
   finished.push_back(std::move(scene));
   scene = std::move(savedScenes.back());
   savedScenes.pop_back();
+  std::erase_if(lightHandles, [&](auto &entry) { return entry.second >= scene.lights.size(); });
 }
 
 void RibState::attributeBegin(RibArguments &arguments) { open(Block::Attribute, arguments); }
@@ -76,6 +79,16 @@ void RibState::transformBegin(RibArguments &arguments) { open(Block::Transform, 
 void RibState::transformEnd(RibArguments &arguments) {
   close(Block::Transform, "Transform", arguments);
 }
+
+void RibState::solidBegin(RibArguments &arguments) {
+  std::string operation = arguments.string("an operation");
+  if (operation != "primitive")
+    warnings.warnOnce("solid", arguments.where(),
+                      "SolidBegin \"" + operation +
+                          "\": solids are not cut; the shapes are drawn as they are");
+  open(Block::Solid, arguments);
+}
+void RibState::solidEnd(RibArguments &arguments) { close(Block::Solid, "Solid", arguments); }
 
 void RibState::declare(RibArguments &arguments) {
   std::string name = arguments.string("a name");

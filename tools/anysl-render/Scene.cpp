@@ -77,7 +77,7 @@ void Scene::makeGroups(Warnings &warnings) {
     std::array<int, 4> indices{appearance.surface, appearance.atmosphere, appearance.interior,
                                appearance.exterior};
     bool bySpace = std::any_of(indices.begin(), indices.end(), [&](int index) {
-      return index >= 0 && (shaderOf(index)->info->services & spacesService) != 0;
+      return shaderOf(index) && (shaderOf(index)->info->services & spacesService) != 0;
     });
     Key key{indices, &lights->second, bySpace ? i : anyObject};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));

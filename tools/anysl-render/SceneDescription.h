@@ -210,7 +210,7 @@ struct CameraDescription {
   std::optional<std::array<double, 4>> screenWindow;
   std::array<double, 4> cropWindow{0, 1, 0, 1};
   double nearClip = 1e-10, farClip = 1e38;
-  double shutterOpen = 0;
+  double shutterOpen = 0, shutterClose = 0;
 };
 
 /// The light that comes from beyond all surfaces.
@@ -231,8 +231,9 @@ struct SceneDescription {
   std::string folder;     ///< of the scene's file, where relative names of textures begin
   std::string shaderPath; ///< colon-separated; & stands for the default
   std::vector<OutputFile> outputs;
-  ParameterMap options; ///< what Option has stated, known here or not
-  int imager = -1;      ///< index into shaders, or -1
+  std::vector<std::string> archives; ///< files that belong to the scene besides its own
+  ParameterMap options;              ///< what Option has stated, known here or not
+  int imager = -1;                   ///< index into shaders, or -1
 
   Matrix4 worldToCamera = Matrix4::identity();
   std::map<std::string, Matrix4, std::less<>> spaces; ///< CoordinateSystem: to camera space

@@ -63,8 +63,13 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
     }
   });
   for (Job &job : jobs) {
-    if (job.error)
-      std::rethrow_exception(job.error);
+    try {
+      if (job.error)
+        std::rethrow_exception(job.error);
+    } catch (const UserError &error) {
+      warnings.fail(error.where, error.message);
+      continue;
+    }
     AnyslLibrary *library = nullptr;
     if (anysl_library_open(std::filesystem::absolute(job.library).c_str(), 0, &library))
       throw UserError(*job.where, anysl_last_error());
@@ -80,7 +85,10 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
 }
 
 std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServices &services) {
-  AnyslLibrary *library = libraries.at(use.name).get();
+  auto opened = libraries.find(use.name);
+  if (opened == libraries.end())
+    return nullptr;
+  AnyslLibrary *library = opened->second.get();
   // The shader of the file's name, or the only one there is.
   std::string base = std::filesystem::path(use.name).filename().string();
   base = base.substr(0, base.find('.'));

@@ -55,7 +55,8 @@ public:
   /// Finds and compiles what the shaders need, in parallel, and opens it. Throws UserError where
   /// one is missing, does not compile or does not fit the host.
   void open(std::span<const ShaderUse *const> uses);
-  /// A shader whose library is open, with the values that the request gives its parameters. Throws
+  /// A shader whose library is open, with the values that the request gives its parameters; null
+  /// where the user wants to go on without it. Throws
   /// UserError where it is of another kind or a value does not fit. `use` and `services` must
   /// outlive it.
   std::unique_ptr<Shader> make(const ShaderUse &use, const AnyslServices &services);

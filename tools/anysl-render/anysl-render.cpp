@@ -97,6 +97,8 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
                     std::to_string(scene.camera.height) + " pixels is too large");
   for (const OutputFile &output : scene.outputs)
     checkOutput(output);
+  if (watch)
+    watch->add({scene.archives.begin(), scene.archives.end()});
   ShaderCache cache(options.cacheFolder, options.target);
   cache.searchPath = shaderPath(options, scene);
   // The scalar runtime is known by its name; any other is taken for one of packets, and refused if
@@ -144,6 +146,7 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
 
 void renderFile(const Options &options, Watch *watch, unsigned threads) {
   Warnings warnings;
+  warnings.keepGoing = options.keepGoing;
   std::vector<SceneDescription> scenes = readRib(loadSourceFile(options.scene), warnings);
   for (SceneDescription &scene : scenes) {
     scene.folder = fs::path(options.scene).parent_path().string();
