@@ -24,20 +24,26 @@ Camera::Camera(const CameraDescription &given) : description(given) {
   scale = given.perspective ? std::tan(0.5 * given.fov * (std::numbers::pi / 180)) : 1;
 }
 
-Ray Camera::ray(double rasterX, double rasterY, uint32_t seed) const {
+Ray Camera::ray(double rasterX, double rasterY, uint32_t seed, double lensX, double lensY) const {
   double x = window[0] + (window[1] - window[0]) * (rasterX / description.width);
   double y = window[3] + (window[2] - window[3]) * (rasterY / description.height);
+  // The ray at depth z is origin + direction * z.
+  Vec3d origin, direction(x * scale, y * scale, 1);
+  if (!description.perspective) {
+    origin = {x, y, 0};
+    direction = {0, 0, 1};
+  }
+  if (description.lensRadius > 0) {
+    // Through a thin lens all rays to a point in focus meet there.
+    Vec3d focus = origin + direction * description.focalDistance;
+    origin += Vec3d(lensX, lensY, 0) * description.lensRadius;
+    direction = (focus - origin) * (1 / description.focalDistance);
+  }
+  double slant = length(direction);
   Ray ray;
   ray.seed = seed;
-  double slant = 1; // distance along the ray for one unit of depth
-  if (description.perspective) {
-    Vec3d direction(x * scale, y * scale, 1);
-    slant = length(direction);
-    ray.direction = Vec3f(direction * (1 / slant));
-  } else {
-    ray.origin = {float(x), float(y), 0};
-    ray.direction = {0, 0, 1};
-  }
+  ray.origin = Vec3f(origin);
+  ray.direction = Vec3f(direction * (1 / slant));
   ray.near = float(std::max(0.0, description.nearClip * slant));
   ray.far = float(std::min(1e30, description.farClip * slant));
   return ray;

@@ -29,8 +29,9 @@ class Camera {
 public:
   explicit Camera(const CameraDescription &description);
 
-  /// The ray through a place of the raster, whose origin is the picture's upper left corner.
-  Ray ray(double rasterX, double rasterY, uint32_t seed) const;
+  /// The ray through a place of the raster, whose origin is the picture's upper left corner, from a
+  /// place of the lens, as if its radius were 1.
+  Ray ray(double rasterX, double rasterY, uint32_t seed, double lensX = 0, double lensY = 0) const;
 
   /// The matrix from camera space to "screen", "NDC" or "raster"; false for another name.
   bool projection(std::string_view space, Matrix4 &matrix) const;

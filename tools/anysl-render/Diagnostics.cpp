@@ -72,7 +72,8 @@ void Warnings::warnOnce(const std::string &key, const Location &where, const std
   if (!shown.insert(key).second)
     return;
   texts.push_back(formatMessage(where, "warning", message));
-  std::fputs(texts.back().c_str(), stderr);
+  if (stream)
+    std::fputs(texts.back().c_str(), stream);
 }
 
 void Warnings::fail(const Location &where, const std::string &message) {

@@ -9,6 +9,7 @@
 #define ANYSL_RENDER_DIAGNOSTICS_H
 
 #include <cstddef>
+#include <cstdio>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -64,6 +65,9 @@ public:
 /// Prints warnings to standard error, each text at most once.
 class Warnings {
 public:
+  /// Null prints nothing.
+  explicit Warnings(std::FILE *stream = stderr) : stream(stream) {}
+
   void warn(const Location &where, const std::string &message);
   /// As warn(), but only the first message with this key is printed.
   void warnOnce(const std::string &key, const Location &where, const std::string &message);
@@ -77,6 +81,7 @@ public:
   bool keepGoing = false; ///< fail() warns
 
 private:
+  std::FILE *stream;
   std::set<std::string> shown;
   std::vector<std::string> texts;
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include <unistd.h>
 
@@ -26,6 +27,31 @@ float anysl::render::encodeSRGB(float linear) {
   return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
+namespace {
+
+/// Types of displays, and what OpenImageIO calls their format.
+const std::map<std::string_view, const char *> fileTypes = {
+    {"file", ""},       {"tiff", "tiff"}, {"tif", "tiff"},    {"zfile", "tiff"},
+    {"shadow", "tiff"}, {"png", "png"},   {"exr", "openexr"}, {"openexr", "openexr"},
+    {"jpeg", "jpeg"},   {"jpg", "jpeg"},  {"targa", "targa"}, {"tga", "targa"},
+    {"sgi", "sgi"},     {"bmp", "bmp"},   {"ppm", "pnm"},     {"rgbe", "hdr"},
+    {"hdr", "hdr"},     {"null", ""}};
+
+/// The format of a file: by its suffix, else by the type that the scene states; empty: neither
+/// says.
+std::string imageFormat(const OutputFile &output) {
+  std::string name = imageFileName(output);
+  if (auto file = OIIO::ImageOutput::create(name))
+    return file->format_name();
+  OIIO::geterror();
+  auto type = fileTypes.find(output.format);
+  return type == fileTypes.end() ? "" : type->second;
+}
+
+} // namespace
+
+bool anysl::render::isFileType(const std::string &type) { return fileTypes.contains(type); }
+
 std::string anysl::render::imageFileName(const OutputFile &output) {
   if (fs::path(output.name).has_extension())
     return output.name;
@@ -33,6 +59,8 @@ std::string anysl::render::imageFileName(const OutputFile &output) {
     return output.name + ".exr";
   if (output.format == "tiff" || output.format == "tif")
     return output.name + ".tif";
+  if (output.format == "zfile" || output.format == "shadow") // known by their names alone
+    return output.name;
   return output.name + ".png";
 }
 
@@ -42,8 +70,9 @@ void anysl::render::checkOutput(const OutputFile &output) {
   if (name.has_parent_path() && !fs::is_directory(name.parent_path(), error))
     throw UserError(output.where, "cannot write '" + name.string() + "': there is no folder '" +
                                       name.parent_path().string() + "'");
-  if (!OIIO::ImageOutput::create(name.string()))
-    throw UserError(output.where, "cannot write '" + name.string() + "': " + OIIO::geterror());
+  if (imageFormat(output).empty())
+    throw UserError(output.where, "cannot write '" + name.string() +
+                                      "': neither its suffix nor its type is known");
 }
 
 namespace {
@@ -95,15 +124,14 @@ OIIO::TypeDesc pixelType(const SceneDescription &scene, const OutputFile &output
 
 void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
                                const OutputFile &output) {
+  if (output.format == "null")
+    return;
   fs::path name = imageFileName(output);
-  std::string suffix = name.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](char c) { return char(std::tolower(c)); });
-  bool isTiff = suffix == ".tif" || suffix == ".tiff";
-  bool linear = suffix == ".exr" || suffix == ".hdr" || suffix == ".pfm" ||
-                (isTiff && scene.quantizeOne == 0);
+  std::string suffix = name.extension().string(), format = imageFormat(output);
+  bool isDepth = output.variables.size() == 1 && output.variables[0].name == "z";
+  bool linear = format == "openexr" || format == "hdr" || suffix == ".pfm" ||
+                (format == "tiff" && (isDepth || scene.quantizeOne == 0));
 
-  // OpenImageIO chooses the format by the suffix, so that the temporary name keeps it.
   fs::path temporary =
       name.parent_path() / ("." + name.stem().string() + "." + std::to_string(getpid()) + suffix);
   auto fail = [&](const std::string &reason) {
@@ -111,7 +139,7 @@ void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
     fs::remove(temporary, ignored);
     throw UserError(output.where, "cannot write '" + name.string() + "': " + reason);
   };
-  auto file = OIIO::ImageOutput::create(temporary.string());
+  auto file = OIIO::ImageOutput::create(format);
   if (!file)
     fail(OIIO::geterror());
   std::vector<FileChannel> channels = fileChannels(output, film.channels);

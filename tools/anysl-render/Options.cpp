@@ -162,5 +162,5 @@ void anysl::render::applyOptions(const Options &options, SceneDescription &scene
     variables = scene.outputs[0].variables;
   scene.outputs.clear();
   for (const std::string &name : options.outputs)
-    scene.outputs.push_back({name, "file", variables, false, {}});
+    scene.outputs.push_back({name, "file", variables, false, false, {}});
 }

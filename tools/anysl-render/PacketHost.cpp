@@ -311,9 +311,8 @@ void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, uns
     current = &behind;
   }
   for (uint32_t i = 0; i < rays.count; ++i) {
-    Vec3f rest = passing[rays.target[i]];
-    radiance[rays.target[i]].opacity = Vec3f(1) - rest;
-    radiance[rays.target[i]].alpha = 1 - (rest.x + rest.y + rest.z) / 3;
+    Radiance &result = radiance[rays.target[i]];
+    result.alpha = (result.opacity.x + result.opacity.y + result.opacity.z) / 3;
   }
 }
 
@@ -393,13 +392,18 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
 
   for (uint32_t i = 0; i < count; ++i) {
     uint32_t ray = members.numbers[i], target = rays.target[ray];
-    Vec3f &passing = outcome.passing[target];
-    outcome.radiance[target].color += passing * globals.triple(ANYSL_COMPONENT_Ci, i);
+    Vec3f &passing = outcome.passing[target], before = passing;
+    Radiance &radiance = outcome.radiance[target];
+    bool seen = !members.group.matte || members.depth > 0;
+    if (seen)
+      radiance.color += passing * globals.triple(ANYSL_COMPONENT_Ci, i);
     passing *= Vec3f(1) - globals.triple(ANYSL_COMPONENT_Oi, i);
-    if (!(maxAbs(passing) > 0x1p-12f)) {
+    if (!(maxAbs(passing) > 0x1p-12f))
       passing = Vec3f();
+    if (seen)
+      radiance.opacity += before - passing;
+    if (passing == Vec3f())
       continue;
-    }
     outcome.behind->add(starts.behind(i, rays.rayOf(ray), rays.t[ray], members.group), target);
   }
 }

@@ -34,7 +34,8 @@ public:
 
 private:
   void flush();
-  void addChannels(size_t pixel, const Radiance &radiance, float *numbers);
+  void normalizeWeights();
+  void addChannels(size_t pixel, float weight, const Radiance &radiance, float *numbers);
 
   const Host &host;
   const PixelSampler &sampler;
@@ -42,6 +43,7 @@ private:
   ThreadState &state;
   std::vector<Ray> rays;
   std::vector<size_t> pixelOf;
+  std::vector<float> weightOf; ///< once flush() begins, of a pixel's samples the sum is 1
   std::vector<Radiance> results;
   std::vector<float> channels;           ///< of each ray
   std::map<size_t, unsigned> badSamples; ///< by pixel; nearly always empty
@@ -54,8 +56,10 @@ void TileJob::run(int x0, int x1, int y0, int y1) {
         for (int y = blockY; y < std::min(y1, blockY + blockSize); ++y)
           for (int x = blockX; x < std::min(x1, blockX + blockSize); ++x) {
             PixelSample sample = sampler.sample(x, y, index);
-            rays.push_back(host.scene().camera.ray(sample.x, sample.y, sample.seed));
+            rays.push_back(host.scene().camera.ray(sample.x, sample.y, sample.seed, sample.lensX,
+                                                   sample.lensY));
             pixelOf.push_back(size_t(y) * size_t(film.width) + size_t(x));
+            weightOf.push_back(float(sample.weight));
           }
       if (rays.size() >= host.preferredCount())
         flush();
@@ -71,7 +75,7 @@ void TileJob::flush() {
     wanted.clear(channels.data() + i * wanted.size());
   host.trace(state, rays.data(), uint32_t(rays.size()), results.data(), channels.data());
   const bool opaque = host.scene().background.isVisible();
-  const float weight = 1.0f / float(sampler.samplesPerPixel());
+  normalizeWeights();
   for (size_t i = 0; i < rays.size(); ++i) {
     // Samples come in the order of their numbers, so that the sum is the same every time.
     const Radiance &r = results[i];
@@ -80,11 +84,12 @@ void TileJob::flush() {
       continue;
     }
     auto &pixel = film.pixels[pixelOf[i]];
+    const float weight = weightOf[i];
     for (int k = 0; k < 3; ++k)
       pixel[size_t(k)] += r.color[k] * weight;
     pixel[3] += opaque ? weight : r.alpha * weight;
     if (wanted.size() > 0)
-      addChannels(pixelOf[i], r, channels.data() + i * wanted.size());
+      addChannels(pixelOf[i], weight, r, channels.data() + i * wanted.size());
   }
   // All samples of a pixel are in the same flush.
   for (auto [index, bad] : badSamples) {
@@ -100,10 +105,27 @@ void TileJob::flush() {
   badSamples.clear();
   rays.clear();
   pixelOf.clear();
+  weightOf.clear();
 }
 
-void TileJob::addChannels(size_t pixel, const Radiance &radiance, float *numbers) {
-  const float weight = 1.0f / float(sampler.samplesPerPixel());
+void TileJob::normalizeWeights() {
+  const float all = float(sampler.samplesPerPixel());
+  if (!sampler.hasWeights()) {
+    std::fill(weightOf.begin(), weightOf.end(), 1 / all);
+    return;
+  }
+  // All samples of a pixel are in the same flush. Where by chance most of the few samples lie where
+  // the filter is negative, the pixel is better without it.
+  std::map<size_t, float> sums;
+  for (size_t i = 0; i < weightOf.size(); ++i)
+    sums[pixelOf[i]] += weightOf[i];
+  for (size_t i = 0; i < weightOf.size(); ++i) {
+    float sum = sums[pixelOf[i]];
+    weightOf[i] = sum < 0.25f * all ? 1 / all : weightOf[i] / sum;
+  }
+}
+
+void TileJob::addChannels(size_t pixel, float weight, const Radiance &radiance, float *numbers) {
   float *sums = film.extra.data() + pixel * film.channels.size();
   for (const Channel &channel : film.channels.list())
     for (unsigned k = 0; k < channel.components; ++k) {

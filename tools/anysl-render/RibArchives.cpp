@@ -43,18 +43,57 @@ void RibState::record(const RibRequest &request) {
     doMotion(done);
 }
 
+/// What an object or archive opens it has to close. Where an error ends it, this does.
+class RibState::Enclosure {
+public:
+  explicit Enclosure(RibState &state)
+      : state(state), floor(std::exchange(state.blockFloor, state.blocks.size())),
+        conditions(state.conditions.size()) {}
+  ~Enclosure() {
+    while (state.blocks.size() > state.blockFloor) {
+      Block kind = state.blocks.back().kind;
+      state.blocks.pop_back();
+      state.state = std::move(state.savedStates.back());
+      state.savedStates.pop_back();
+      if (kind == Block::World || kind == Block::Frame) {
+        state.scene = std::move(state.savedScenes.back());
+        state.savedScenes.pop_back();
+      }
+    }
+    state.blockFloor = floor;
+    state.recording.reset();
+    state.conditions.resize(std::min(conditions, state.conditions.size()));
+  }
+  Enclosure(const Enclosure &) = delete;
+  Enclosure &operator=(const Enclosure &) = delete;
+
+  void check() const {
+    if (state.recording)
+      throw UserError(state.recording->where, state.recording->begin + " without its end");
+    if (state.conditions.size() > conditions)
+      throw UserError(state.conditions.back().where, "IfBegin without its end");
+    if (state.blocks.size() > state.blockFloor)
+      throw UserError(state.blocks.back().where,
+                      "a block that is not closed in its object or archive");
+  }
+
+private:
+  RibState &state;
+  size_t floor, conditions;
+};
+
 void RibState::replay(const Recording &requests, const Location &where) {
-  constexpr unsigned deepest = 64;
-  if (replays >= deepest)
-    throw UserError(where, "objects and archives lie in each other without an end");
-  size_t floor = std::exchange(blockFloor, blocks.size());
-  ++replays;
+  if (std::find(openReplays.begin(), openReplays.end(), requests) != openReplays.end())
+    throw UserError(where, "an object or archive that holds itself");
+  openReplays.push_back(requests);
+  struct Pop {
+    std::vector<Recording> &stack;
+    ~Pop() { stack.pop_back(); }
+  } pop{openReplays};
+  Enclosure enclosure(*this);
   for (const RibRequest &request : *requests)
     execute(request);
-  --replays;
-  if (blocks.size() > blockFloor)
-    throw UserError(blocks.back().where, "a block that is not closed in its object or archive");
-  blockFloor = floor;
+  enclosure.check();
 }
 
 //===-- Objects -------------------------------------------------------------//
@@ -74,9 +113,11 @@ void RibState::objectInstance(RibArguments &arguments) {
   auto object = objects.find(handle);
   if (object == objects.end())
     throw UserError(arguments.where(), "ObjectInstance: there is no object " + handle);
-  GraphicsState saved = state;
+  struct Restore {
+    GraphicsState &state, saved = state;
+    ~Restore() { state = std::move(saved); }
+  } restore{state};
   replay(Recording(object->second), arguments.where());
-  state = std::move(saved);
 }
 
 //===-- Archives ------------------------------------------------------------//
@@ -146,17 +187,17 @@ void RibState::includeArchive(const std::string &name, const Location &where) {
   }
   scene.archives.push_back(path.string());
   openArchives.push_back(path);
-  size_t floor = std::exchange(blockFloor, blocks.size());
+  struct Pop {
+    std::vector<fs::path> &stack;
+    ~Pop() { stack.pop_back(); }
+  } pop{openArchives};
+  Enclosure enclosure(*this);
   try {
     readRequests(file, *this);
+    enclosure.check();
   } catch (const UserError &error) {
     throw error.withNote(where, "read from here");
   }
-  openArchives.pop_back();
-  if (blocks.size() > blockFloor)
-    throw UserError(blocks.back().where, "a block that is not closed in its archive")
-        .withNote(where, "read from here");
-  blockFloor = floor;
 }
 
 void RibState::procedural(RibArguments &arguments) {

@@ -6,15 +6,29 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "tools/anysl-render/Camera.h"
 #include "tools/anysl-render/RibState.h"
+
+#include <algorithm>
 
 using namespace anysl::render;
 
+Vec3d RibState::readColor(RibArguments &arguments, const char *what) {
+  if (colorToRgb.empty())
+    return arguments.triple(what);
+  auto samples = arguments.numbers(colorToRgb.size() / 3, what);
+  Vec3d result;
+  for (size_t i = 0; i < samples.size(); ++i)
+    for (size_t k = 0; k < 3; ++k)
+      result[int(k)] += samples[i] * colorToRgb[3 * i + k];
+  return result;
+}
+
 void RibState::color(RibArguments &arguments) {
-  state.appearance.color = arguments.triple("a colour");
+  state.appearance.color = readColor(arguments, "a colour");
 }
 void RibState::opacity(RibArguments &arguments) {
-  state.appearance.opacity = arguments.triple("an opacity");
+  state.appearance.opacity = readColor(arguments, "an opacity");
 }
 
 void RibState::sides(RibArguments &arguments) {
@@ -36,6 +50,40 @@ void RibState::orientation(RibArguments &arguments) {
   else
     throw UserError(arguments.where(),
                     "Orientation: \"" + name + "\" is none of outside, inside, lh, rh");
+}
+
+void RibState::matte(RibArguments &arguments) {
+  state.appearance.matte = arguments.number("1 or 0") != 0;
+}
+
+void RibState::detail(RibArguments &arguments) {
+  auto bound = arguments.numbers(6, "a bound");
+  // The pixels of the bound's projection; what lies around the camera is as large as can be.
+  Matrix4 toRaster;
+  Camera(scene.camera).projection("raster", toRaster);
+  double low[2] = {1e30, 1e30}, high[2] = {-1e30, -1e30};
+  for (size_t corner = 0; corner < 8; ++corner) {
+    Vec3d p = state.transform.point(
+        {bound[corner & 1], bound[2 + (corner >> 1 & 1)], bound[4 + (corner >> 2)]});
+    if (scene.camera.perspective && p.z <= 1e-6) {
+      state.detail = 1e30;
+      return;
+    }
+    p = toRaster.point(p);
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  state.detail = (high[0] - low[0]) * (high[1] - low[1]);
+}
+
+void RibState::detailRange(RibArguments &arguments) {
+  auto n = arguments.numbers(4, "where a detail appears, is there, fades and is gone");
+  double size = state.detail * detailFactor;
+  // In between it is there by the half that it would be seen with.
+  auto isAbove = [&](double begin, double full) { return size >= 0.5 * (begin + full); };
+  state.isLeftOut = state.detail > 0 && (!isAbove(n[0], n[1]) || (isAbove(n[2], n[3])));
 }
 
 void RibState::reverseOrientation(RibArguments &) {

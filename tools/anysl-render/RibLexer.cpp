@@ -19,7 +19,15 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 } // namespace
 
 RibToken RibLexer::next() {
+  for (;;)
+    if (RibToken token = word(); token.kind != RibToken::Nothing)
+      return token;
+}
+
+RibToken RibLexer::word() {
   const std::string &text = file->text;
+  if (floatsLeft > 0 || endsFloats)
+    return arrayToken();
   while (position < text.size()) {
     if (isSpace(text[position]))
       ++position;
@@ -52,8 +60,7 @@ RibToken RibLexer::next() {
     return token;
   }
   if (static_cast<unsigned char>(c) >= 0x80)
-    throw UserError(location(position),
-                    "a byte that is no text; RIB's binary encoding is not supported");
+    return binaryToken(static_cast<unsigned char>(c));
   throw UserError(location(position), std::string("unexpected character '") + c + "'");
 }
 
@@ -63,7 +70,7 @@ RibToken RibLexer::stringToken() {
   token.kind = RibToken::String;
   token.offset = position++;
   for (;; ++position) {
-    if (position == text.size() || text[position] == '\n')
+    if (position == text.size())
       throw UserError(location(token.offset), "a string without its closing quote");
     char c = text[position];
     if (c == '"')
@@ -106,8 +113,8 @@ RibToken RibLexer::numberToken() {
   auto [rest, error] = std::from_chars(begin, end, token.number);
   if (error == std::errc::result_out_of_range)
     throw UserError(location(token.offset), "a number beyond what a double can hold");
-  bool ended =
-      rest == end || isSpace(*rest) || *rest == '[' || *rest == ']' || *rest == '#' || *rest == '"';
+  bool ended = rest == end || isSpace(*rest) || *rest == '[' || *rest == ']' || *rest == '#' ||
+               *rest == '"' || static_cast<unsigned char>(*rest) >= 0x80;
   if (error != std::errc() || !ended || !std::isfinite(token.number))
     throw UserError(location(token.offset), "this is not a number");
   position = size_t(rest - text.data());

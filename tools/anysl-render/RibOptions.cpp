@@ -6,10 +6,12 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "tools/anysl-render/Film.h"
 #include "tools/anysl-render/RibState.h"
 
 #include <algorithm>
 
+namespace fs = std::filesystem;
 using namespace anysl::render;
 
 namespace {
@@ -64,6 +66,15 @@ void RibState::display(RibArguments &arguments) {
   ParameterList parameters = arguments.parameters();
   if (const Parameter *type = findParameter(parameters, "exrpixeltype"))
     output.half = !type->strings.empty() && type->strings[0] == "half";
+  if (!isFileType(output.format)) {
+    // A picture that only a window would show is better than none.
+    warnings.warnOnce("display " + output.format, arguments.where(),
+                      "Display: there is no \"" + output.format + "\"; a file is written instead");
+    output.isReplacement = true;
+    if (fs::path(output.name).extension() != ".exr")
+      output.name = fs::path(output.name).replace_extension(".png").string();
+    output.format = "file";
+  }
   // As in the standard, "+name" adds an output and any other name starts the list anew.
   if (!output.name.empty() && output.name[0] == '+')
     output.name.erase(0, 1);
@@ -71,11 +82,18 @@ void RibState::display(RibArguments &arguments) {
     scene.outputs.clear();
   if (output.name.empty())
     throw UserError(arguments.where(), "Display: the file name is empty");
+  if (output.isReplacement && !scene.outputs.empty())
+    return;
+  std::erase_if(scene.outputs, [&](const OutputFile &each) { return each.isReplacement; });
   scene.outputs.push_back(std::move(output));
 }
 
 void RibState::format(RibArguments &arguments) {
   auto n = arguments.numbers(3, "width, height and pixel aspect");
+  // Negative numbers stand for the standard ones.
+  const CameraDescription standard;
+  n[0] = n[0] < 0 ? standard.width : n[0];
+  n[1] = n[1] < 0 ? standard.height : n[1];
   if (!(n[0] >= 1 && n[1] >= 1 && n[0] <= 65536 && n[1] <= 65536))
     throw UserError(arguments.where(),
                     "Format: the size must lie between 1 and 65536 pixels a side");
@@ -89,11 +107,14 @@ void RibState::projection(RibArguments &arguments) {
   ParameterList parameters = arguments.parameters();
   if (name == "perspective")
     scene.camera.perspective = true;
-  else if (name == "orthographic")
+  else if (name == "orthographic" || name == "null" || name.empty())
     scene.camera.perspective = false;
-  else
-    throw UserError(arguments.where(),
-                    "Projection: \"" + name + "\" is neither \"perspective\" nor \"orthographic\"");
+  else {
+    warnings.warn(arguments.where(), "Projection \"" + name +
+                                         "\" is neither \"perspective\" nor \"orthographic\"; "
+                                         "\"perspective\" is used");
+    scene.camera.perspective = true;
+  }
   for (const Parameter &parameter : parameters) {
     if (parameter.name != "fov" || parameter.numbers.size() != 1) {
       warnUnknown("projection parameter", parameter.name, parameter.where);
@@ -120,16 +141,21 @@ void RibState::pixelFilter(RibArguments &arguments) {
     throw UserError(arguments.where(), "PixelFilter: widths must lie between 0 and 64");
   scene.filterWidthX = n[0];
   scene.filterWidthY = n[1];
-  if (name == "box")
-    scene.filter = FilterKind::Box;
-  else if (name == "triangle")
-    scene.filter = FilterKind::Triangle;
-  else {
-    scene.filter = FilterKind::Gaussian;
-    if (name != "gaussian")
-      warnings.warn(arguments.where(),
-                    "PixelFilter \"" + name + "\" is not known; \"gaussian\" is used");
-  }
+  static const std::map<std::string_view, FilterKind> filters = {
+      {"box", FilterKind::Box},
+      {"triangle", FilterKind::Triangle},
+      {"gaussian", FilterKind::Gaussian},
+      {"catmull-rom", FilterKind::CatmullRom},
+      {"separable-catmull-rom", FilterKind::CatmullRom},
+      {"sinc", FilterKind::Sinc},
+      {"mitchell", FilterKind::Mitchell},
+      {"blackman-harris", FilterKind::BlackmanHarris},
+      {"disk", FilterKind::Disk}};
+  auto filter = filters.find(name);
+  if (filter == filters.end())
+    warnings.warn(arguments.where(),
+                  "PixelFilter \"" + name + "\" is not known; \"gaussian\" is used");
+  scene.filter = filter == filters.end() ? FilterKind::Gaussian : filter->second;
 }
 
 void RibState::exposure(RibArguments &arguments) {
@@ -181,6 +207,35 @@ void RibState::shutter(RibArguments &arguments) {
   auto n = arguments.numbers(2, "opening and closing time");
   scene.camera.shutterOpen = n[0];
   scene.camera.shutterClose = n[1];
+}
+
+void RibState::depthOfField(RibArguments &arguments) {
+  scene.camera.lensRadius = 0;
+  if (arguments.empty()) // a pinhole
+    return;
+  auto n = arguments.numbers(3, "f-stop, focal length and focal distance");
+  if (!(n[0] > 0 && n[1] >= 0 && n[2] > 0))
+    throw UserError(arguments.where(),
+                    "DepthOfField: f-stop, focal length and focal distance must be positive");
+  if (n[0] < 1e30 && n[2] < 1e30) {
+    scene.camera.lensRadius = 0.5 * n[1] / n[0];
+    scene.camera.focalDistance = n[2];
+  }
+}
+
+void RibState::relativeDetail(RibArguments &arguments) {
+  double factor = arguments.number("a factor");
+  if (!(factor >= 0))
+    throw UserError(arguments.where(), "RelativeDetail: the factor must not be negative");
+  detailFactor = factor;
+}
+
+void RibState::colorSamples(RibArguments &arguments) {
+  std::vector<double> toRgb = arguments.array("the matrix from samples to RGB");
+  arguments.array("the matrix from RGB to samples");
+  if (toRgb.empty() || toRgb.size() % 3 != 0)
+    throw UserError(arguments.where(), "ColorSamples: three numbers are needed for each sample");
+  colorToRgb = std::move(toRgb);
 }
 
 void RibState::option(RibArguments &arguments) {

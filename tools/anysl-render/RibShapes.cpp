@@ -15,6 +15,8 @@ void RibState::addShape(ShapeGeometry geometry, ParameterList variables,
                         const VariableCounts &counts, RibArguments &arguments) {
   if (!inWorld())
     throw UserError(arguments.where(), "a shape outside WorldBegin ... WorldEnd");
+  if (state.isLeftOut)
+    return;
   checkVariables(variables, counts, warnings);
   if (scene.appearances.empty() || !(scene.appearances.back() == state.appearance))
     scene.appearances.push_back(state.appearance);

@@ -58,8 +58,8 @@ private:
     Matrix4 transform = Matrix4::identity(); ///< object to camera
     bool lightShadows = true;
     Basis basisU = Basis::bezier, basisV = Basis::bezier;
-    double detail = 0;          ///< of the bound that Detail has stated, in pixels; 0: none
-    bool isTooDetailed = false; ///< DetailRange leaves the shapes out
+    double detail = 0;      ///< of the bound that Detail has stated, in pixels; 0: none
+    bool isLeftOut = false; ///< DetailRange says that another version of it is seen
   };
   struct Condition {
     Location where;
@@ -70,6 +70,7 @@ private:
 #define RIB_REQUEST(name, handler) void handler(RibArguments &);
 #include "tools/anysl-render/RibRequests.def"
 
+  class Enclosure;
   void record(const RibRequest &request);
   void startRecording(const char *begin, const char *end, std::string handle,
                       const RibArguments &arguments);
@@ -84,6 +85,9 @@ private:
   bool evaluate(const std::string &expression, const Location &where) const;
   /// What an option or attribute has been set to, or null.
   const Parameter *findSetting(std::string_view name) const;
+
+  /// A colour of as many samples as ColorSamples has stated.
+  Vec3d readColor(RibArguments &arguments, const char *what);
 
   void open(Block kind, const RibArguments &arguments);
   void close(Block kind, const char *name, const RibArguments &arguments);
@@ -116,8 +120,10 @@ private:
   std::vector<double> motionTimes;
   std::vector<Condition> conditions;
   std::vector<std::filesystem::path> openArchives;
-  unsigned replays = 0; ///< how deep
+  std::vector<Recording> openReplays;
   double frame = 0;
+  double detailFactor = 1;
+  std::vector<double> colorToRgb; ///< three numbers for each sample of a colour; empty: it is RGB
   std::vector<SceneDescription> finished;
 };
 

@@ -63,8 +63,12 @@ void RibState::worldBegin(RibArguments &arguments) {
 void RibState::worldEnd(RibArguments &arguments) {
   close(Block::World, "World", arguments);
   if (scene.outputs.empty())
-    scene.outputs.push_back(
-        {sceneFile.stem().string() + ".png", "file", {{"rgb", {}}}, false, arguments.where()});
+    scene.outputs.push_back({sceneFile.stem().string() + ".png",
+                             "file",
+                             {{"rgb", {}}},
+                             false,
+                             false,
+                             arguments.where()});
   finished.push_back(std::move(scene));
   scene = std::move(savedScenes.back());
   savedScenes.pop_back();

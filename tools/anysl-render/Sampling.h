@@ -35,18 +35,29 @@ inline double unitNumber(uint32_t h) { return (h >> 8) * 0x1p-24; }
 struct PixelSample {
   double x, y;
   uint32_t seed;
+  double weight = 1;           ///< negative where the filter is
+  double lensX = 0, lensY = 0; ///< on the disk of radius 1
 };
 
 /// Places samples as the pixel filter weights them, so that a pixel is the plain mean of its own
 /// samples and no sample is shared between pixels (filter importance sampling). They are
-/// stratified: one in each cell of a samplesX x samplesY grid.
+/// stratified: one in each cell of a samplesX x samplesY grid. Where a filter is negative, so is
+/// the sample's weight.
 class PixelSampler {
 public:
   explicit PixelSampler(const SceneDescription &scene);
   unsigned samplesPerPixel() const { return unsigned(countX * countY); }
   PixelSample sample(int x, int y, unsigned index) const;
+  /// Whether samples have weights, whose sum a pixel has to be divided by.
+  bool hasWeights() const { return !tableX.places.empty(); }
 
 private:
+  /// A filter of one direction in steps of equal weight, all of them counted as positive.
+  struct Table {
+    std::vector<double> places; ///< in pixels from the middle
+    std::vector<double> signs;
+  };
+  static Table makeTable(FilterKind filter, double width);
   /// The place in [-1/2, 1/2] of the filter's width below which a share of its weight lies.
   double warp(double share) const;
 
@@ -54,6 +65,7 @@ private:
   FilterKind filter;
   double widthX, widthY;
   std::vector<double> gaussian; ///< warp() at evenly spaced shares
+  Table tableX, tableY;         ///< of filters that are negative somewhere, and the like
 };
 
 } // namespace anysl::render

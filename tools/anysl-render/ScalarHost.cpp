@@ -143,17 +143,21 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
       shade<double>(batch, point, ray, volume, colors, channels);
     else
       shade<float>(batch, point, ray, volume, colors, channels);
-    radiance.color += colors.passing * colors.Ci;
+    bool seen = !group.matte || depth > 0;
+    if (seen)
+      radiance.color += colors.passing * colors.Ci;
+    Vec3f before = colors.passing;
     colors.passing *= Vec3f(1) - colors.Oi;
     colors.nearest &= maxAbs(colors.Oi) == 0;
-    if (!(maxAbs(colors.passing) > 0x1p-12f)) {
+    if (!(maxAbs(colors.passing) > 0x1p-12f))
       colors.passing = Vec3f();
+    if (seen)
+      radiance.opacity += before - colors.passing;
+    if (colors.passing == Vec3f())
       break;
-    }
     ray = batch.starts.behind(0, ray, hit.t, group);
   }
-  radiance.opacity = Vec3f(1) - colors.passing;
-  radiance.alpha = 1 - (colors.passing.x + colors.passing.y + colors.passing.z) / 3;
+  radiance.alpha = (radiance.opacity.x + radiance.opacity.y + radiance.opacity.z) / 3;
   return radiance;
 }
 

@@ -64,7 +64,7 @@ const Shader *Scene::imager() const {
 }
 
 void Scene::makeGroups(Warnings &warnings) {
-  using Key = std::tuple<std::array<int, 4>, const LightSet *, uint32_t>;
+  using Key = std::tuple<std::array<int, 5>, const LightSet *, uint32_t>;
   std::map<Key, uint32_t> known;
   constexpr uint32_t anyObject = ~uint32_t(0);
   auto shaderOf = [&](int index) { return index < 0 ? nullptr : shaders[size_t(index)].get(); };
@@ -74,16 +74,17 @@ void Scene::makeGroups(Warnings &warnings) {
     auto [lights, isNew] = lightSets.try_emplace(appearance.lights);
     if (isNew)
       lights->second = makeLightSet(description, appearance.lights, warnings);
-    std::array<int, 4> indices{appearance.surface, appearance.atmosphere, appearance.interior,
-                               appearance.exterior};
-    bool bySpace = std::any_of(indices.begin(), indices.end(), [&](int index) {
+    std::array<int, 5> indices{appearance.surface, appearance.atmosphere, appearance.interior,
+                               appearance.exterior, appearance.matte};
+    bool bySpace = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
       return shaderOf(index) && (shaderOf(index)->info->services & spacesService) != 0;
     });
     Key key{indices, &lights->second, bySpace ? i : anyObject};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
     if (isNewGroup)
       groups.push_back({shaderOf(indices[0]), shaderOf(indices[1]), shaderOf(indices[2]),
-                        shaderOf(indices[3]), &lights->second, Space(shape.objectToCamera)});
+                        shaderOf(indices[3]), &lights->second, Space(shape.objectToCamera),
+                        appearance.matte});
     groupOfShape.push_back(entry->second);
   }
 }

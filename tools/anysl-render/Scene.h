@@ -24,6 +24,7 @@ struct ShadingGroup {
   const Shader *atmosphere = nullptr, *interior = nullptr, *exterior = nullptr;
   const LightSet *lights = nullptr;
   Space object;
+  bool matte = false; ///< hides what is behind it from the camera, and is transparent itself
 };
 
 /// What both hosts work on: surfaces in Embree, shaders with their values, lights, camera. It is

@@ -83,6 +83,7 @@ struct Appearance {
   Vec3d color{1, 1, 1};
   Vec3d opacity{1, 1, 1};
   bool reverseOrientation = false;
+  bool matte = false; ///< to the camera it hides what is behind, and is transparent itself
   int sides = 2;
   Visibility visibility;
   std::vector<uint32_t> lights; ///< those that shine on it: indices into SceneDescription::lights
@@ -195,11 +196,12 @@ struct OutputFile {
   std::string name;   ///< as given; the type follows from its suffix, else from `format`
   std::string format; ///< "file", "png", "openexr", ...
   std::vector<OutputVariable> variables;
-  bool half = false; ///< 16 bits a channel where the format has such floats
+  bool isReplacement = false; ///< of a window: not needed where there is a file
+  bool half = false;          ///< 16 bits a channel where the format has such floats
   Location where;
 };
 
-enum class FilterKind { Box, Triangle, Gaussian };
+enum class FilterKind { Box, Triangle, Gaussian, CatmullRom, Sinc, Mitchell, BlackmanHarris, Disk };
 
 struct CameraDescription {
   bool perspective = false;
@@ -210,6 +212,7 @@ struct CameraDescription {
   std::optional<std::array<double, 4>> screenWindow;
   std::array<double, 4> cropWindow{0, 1, 0, 1};
   double nearClip = 1e-10, farClip = 1e38;
+  double lensRadius = 0, focalDistance = 0; ///< 0: all distances are sharp
   double shutterOpen = 0, shutterClose = 0;
 };
 

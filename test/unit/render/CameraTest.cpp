@@ -6,6 +6,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "tools/anysl-render/Sampling.h"
 #include "tools/anysl-render/Spaces.h"
 
 #include <catch2/catch.hpp>
@@ -109,4 +110,40 @@ TEST_CASE("crop windows that adjoin share no pixel and miss none", "[camera]") {
     CHECK(y1 == 100);
   }
   CHECK(previous == 200);
+}
+
+TEST_CASE("an edge out of focus is blurred by a disk of the thin lens's size", "[camera]") {
+  // A lens of radius 1/2 focused at 2 sees what is at depth 1 over 1/2 |1/1 - 1/2| = 1/4 of the
+  // screen's unit: 8 of 32 pixels. A half-plane covers the share of the disk that lies on its side.
+  CameraDescription description;
+  description.perspective = true;
+  description.width = description.height = 64;
+  description.lensRadius = 0.5;
+  description.focalDistance = 2;
+  Camera camera(description);
+  SceneDescription scene;
+  scene.samplesX = scene.samplesY = 32;
+  PixelSampler sampler(scene);
+  auto share = [&](double pixels, double depth) {
+    double hits = 0;
+    for (unsigned i = 0; i < sampler.samplesPerPixel(); ++i) {
+      PixelSample sample = sampler.sample(1, 2, i);
+      Ray ray = camera.ray(32 + pixels, 32, 0, sample.lensX, sample.lensY);
+      hits += ray.origin.x + ray.direction.x / ray.direction.z * depth > 0;
+    }
+    return hits / sampler.samplesPerPixel();
+  };
+  auto covered = [](double x, double r) {
+    return 0.5 +
+           (x * std::sqrt(r * r - x * x) + r * r * std::asin(x / r)) / (3.14159265358979 * r * r);
+  };
+  CHECK(share(-8.1, 1) == 0);
+  CHECK(share(8.1, 1) == 1);
+  for (double x : {-6.0, -2.0, 0.0, 4.0})
+    CHECK(share(x, 1) == Approx(covered(x, 8)).margin(0.01));
+  CHECK(share(-0.01, 2) == 0); // in focus
+  CHECK(share(0.01, 2) == 1);
+  // Behind it: 1/2 |1/4 - 1/2| = 1/8, 4 pixels.
+  CHECK(share(-4.1, 4) == 0);
+  CHECK(share(2, 4) == Approx(covered(2, 4)).margin(0.01));
 }

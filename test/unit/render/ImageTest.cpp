@@ -31,7 +31,7 @@ TEST_CASE("sRGB encoding follows IEC 61966-2-1 and is monotone", "[image]") {
 
 TEST_CASE("a file's type follows from its suffix, else from the scene", "[image]") {
   auto name = [](const char *file, const char *format) {
-    return imageFileName({file, format, {}, false, {}});
+    return imageFileName({file, format, {}, false, false, {}});
   };
   CHECK(name("a.exr", "file") == "a.exr");
   CHECK(name("a", "openexr") == "a.exr");

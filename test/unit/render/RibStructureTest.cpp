@@ -19,7 +19,7 @@ std::vector<SceneDescription> read(const std::string &text, bool keepGoing = fal
   auto file = std::make_shared<SourceFile>();
   file->name = "scene.rib";
   file->text = text;
-  Warnings warnings;
+  Warnings warnings(nullptr);
   warnings.keepGoing = keepGoing;
   return readRib(file, warnings);
 }
@@ -80,7 +80,7 @@ TEST_CASE("objects and archives that make no sense are refused", "[rib]") {
              StartsWith("scene.rib:1:1: error: ObjectEnd without ObjectBegin"));
   CHECK_THAT(errorOf("ObjectBegin 1 ObjectEnd ObjectBegin 1 ObjectInstance 1 ObjectEnd "
                      "WorldBegin ObjectInstance 1"),
-             StartsWith("scene.rib:1:39: error: objects and archives lie in each other"));
+             StartsWith("scene.rib:1:39: error: an object or archive that holds itself"));
   CHECK_THAT(errorOf("ObjectBegin 1 AttributeEnd ObjectEnd WorldBegin AttributeBegin "
                      "ObjectInstance 1 WorldEnd"),
              StartsWith("scene.rib:1:15: error: AttributeEnd does not match the open block"));
@@ -214,4 +214,62 @@ TEST_CASE("what is wrong can be left out", "[rib]") {
                     true)
                    .at(0);
   CHECK(scene.shapes.size() == 1);
+}
+
+TEST_CASE("colours of other samples become RGB", "[rib]") {
+  // Two samples: the first is red, the second half green and blue.
+  auto scene =
+      read("ColorSamples [1 0 0 0 0.5 1] [1 0 0 1 0 0] WorldBegin Color [0.25 0.5] Opacity 1 "
+           "1" +
+           ball + "WorldEnd")
+          .at(0);
+  CHECK(scene.appearances.at(0).color == Vec3d(0.25, 0.25, 0.5));
+  CHECK(scene.appearances.at(0).opacity == Vec3d(1, 0.5, 1));
+  CHECK_THAT(errorOf("ColorSamples [1 2] [1 2]"),
+             StartsWith("scene.rib:1:1: error: ColorSamples: three numbers"));
+}
+
+TEST_CASE("of several details the one is drawn that fits its size on the picture", "[rib]") {
+  // A square of side 1 at depth 10, seen at 90 degrees in 200 pixels: 10 x 10 pixels.
+  const std::string camera = "Format 200 200 1 Projection \"perspective\" \"fov\" 90 ";
+  auto drawn = [&](const std::string &factor, const std::string &range) {
+    return read(camera + factor + "WorldBegin Translate 0 0 10 Detail [0 1 0 1 0 0] DetailRange [" +
+                range + "]" + ball + "WorldEnd")
+               .at(0)
+               .shapes.size() == 1;
+  };
+  CHECK(drawn("", "0 0 1000 1000"));
+  CHECK(drawn("", "90 90 110 110"));
+  CHECK_FALSE(drawn("", "0 0 90 90"));
+  CHECK_FALSE(drawn("", "110 110 1e38 1e38"));
+  CHECK(drawn("", "90 105 200 200")); // more than half of the way there
+  CHECK_FALSE(drawn("RelativeDetail 0.5 ", "90 90 110 110"));
+  CHECK(drawn("RelativeDetail 0.5 ", "0 0 90 90"));
+  // A bound around the camera is as large as can be; without a bound everything is drawn.
+  CHECK(read(camera + "WorldBegin Detail [-1 1 -1 1 -1 1] DetailRange [1000 1000 1e38 1e38]" +
+             ball + "WorldEnd")
+            .at(0)
+            .shapes.size() == 1);
+  CHECK(read(camera + "WorldBegin DetailRange [0 0 1 1]" + ball + "WorldEnd").at(0).shapes.size() ==
+        1);
+}
+
+TEST_CASE("a lens is stated by f-stop, focal length and focal distance", "[rib]") {
+  auto camera = [](const std::string &text) {
+    return read(text + " WorldBegin WorldEnd").at(0).camera;
+  };
+  CHECK(camera("DepthOfField 2 0.5 7").lensRadius == 0.125);
+  CHECK(camera("DepthOfField [2 0.5 7]").focalDistance == 7);
+  CHECK(camera("DepthOfField 2 0.5 7 DepthOfField").lensRadius == 0);
+  CHECK(camera("DepthOfField 1e38 0.5 7").lensRadius == 0);
+  CHECK_THAT(errorOf("DepthOfField 0 1 1"), StartsWith("scene.rib:1:1: error: DepthOfField"));
+}
+
+TEST_CASE("what is beside the point or unknown does not end the reading", "[rib]") {
+  auto camera = [](const std::string &text) {
+    return read(text + " WorldBegin WorldEnd").at(0).camera;
+  };
+  CHECK(camera("Projection \"fisheye\"").perspective);
+  CHECK_FALSE(camera("Projection \"orthographic\"").perspective);
+  CHECK(camera("Format 100 50 1 Format -1 -1 -1").width == 640);
 }

@@ -167,7 +167,6 @@ TEST_CASE("what cannot be understood is refused with its place", "[rib]") {
   CHECK_THAT(errorOf("Color 1 1 1 1"),
              StartsWith("scene.rib:1:13: error: Color: more arguments than expected"));
   CHECK_THAT(errorOf("1 2 3"), StartsWith("scene.rib:1:1: error: expected the name of a request"));
-  CHECK_THAT(errorOf("\x80"), StartsWith("scene.rib:1:1: error: a byte that is no text"));
   CHECK_THAT(errorOf("Color ;"), StartsWith("scene.rib:1:7: error: unexpected character ';'"));
   CHECK_THAT(errorOf("Surface \"s\" \"nonsense x\" 1"),
              StartsWith("scene.rib:1:13: error: \"nonsense x\" is not a declaration"));

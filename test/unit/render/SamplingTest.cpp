@@ -53,6 +53,52 @@ TEST_CASE("samples are spread as the filter weighs", "[sampling]") {
   }
 }
 
+TEST_CASE("filters that are negative somewhere weigh their samples", "[sampling]") {
+  // Second moments: a Catmull-Rom spline reproduces parabolas, so that its own is 0; of Mitchell's
+  // cubic at width 4 it is 1/9; of the Blackman-Harris window by integrating its cosines.
+  const double pi2 = 9.869604401089358;
+  double harris =
+      (0.35875 / 12 - 0.48829 / (2 * pi2) + 0.14128 / (8 * pi2) - 0.01168 / (18 * pi2)) / 0.35875;
+  struct {
+    FilterKind kind;
+    double moment;
+  } const cases[] = {{FilterKind::CatmullRom, 0},
+                     {FilterKind::Mitchell, 1.0 / 9},
+                     {FilterKind::BlackmanHarris, 16 * harris},
+                     // A disk of diameter w has w^2 / 16 in each direction.
+                     {FilterKind::Disk, 1}};
+  for (auto [kind, moment] : cases) {
+    PixelSampler sampler(sceneWith(kind, 4));
+    double sum = 0, weights = 0;
+    for (int x = 0; x < 20; ++x)
+      for (unsigned i = 0; i < sampler.samplesPerPixel(); ++i) {
+        PixelSample sample = sampler.sample(x, 7, i);
+        CHECK(std::fabs(sample.x - x - 0.5) <= 2);
+        sum += sample.weight * (sample.x - x - 0.5) * (sample.x - x - 0.5);
+        weights += sample.weight;
+      }
+    CHECK(sum / weights == Approx(moment).margin(0.02));
+  }
+}
+
+TEST_CASE("places on the lens fill a disk evenly, whatever the place in the pixel", "[sampling]") {
+  PixelSampler sampler(sceneWith(FilterKind::Box, 1));
+  double squares = 0, mixed = 0;
+  std::set<std::pair<int, int>> cells;
+  for (unsigned i = 0; i < 256; ++i) {
+    PixelSample sample = sampler.sample(3, 4, i);
+    double square = sample.lensX * sample.lensX + sample.lensY * sample.lensY;
+    CHECK(square < 1);
+    squares += square / 256;
+    mixed += sample.lensX * (sample.x - 3.5) / 256;
+    double angle = std::atan2(sample.lensY, sample.lensX) / (2 * 3.14159265358979);
+    cells.insert({int(square * 16), int((angle < 0 ? angle + 1 : angle) * 16)});
+  }
+  CHECK(squares == Approx(0.5).margin(0.01));
+  CHECK(std::fabs(mixed) < 0.02);
+  CHECK(cells.size() > 250); // one in each of 16 x 16 cells, but for rounding
+}
+
 TEST_CASE("a box filter of width 1 puts one sample into each cell of its pixel", "[sampling]") {
   PixelSampler sampler(sceneWith(FilterKind::Box, 1));
   std::set<std::pair<int, int>> cells;
