@@ -40,12 +40,15 @@ const std::map<std::string_view, const char *> fileTypes = {
 /// The format of a file: by its suffix, else by the type that the scene states; empty: neither
 /// says.
 std::string imageFormat(const OutputFile &output) {
-  std::string name = imageFileName(output);
-  if (auto file = OIIO::ImageOutput::create(name))
-    return file->format_name();
-  OIIO::geterror();
   auto type = fileTypes.find(output.format);
-  return type == fileTypes.end() ? "" : type->second;
+  std::string byType = type == fileTypes.end() ? "" : type->second, bySuffix;
+  if (auto file = OIIO::ImageOutput::create(imageFileName(output)))
+    bySuffix = file->format_name();
+  else
+    OIIO::geterror(); // which is kept until asked for
+  // Few formats hold depths, and depth files have names of all kinds.
+  bool isDepth = output.format == "zfile" || output.format == "shadow";
+  return bySuffix.empty() || (isDepth && bySuffix != "openexr") ? byType : bySuffix;
 }
 
 } // namespace

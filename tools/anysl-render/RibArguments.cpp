@@ -167,11 +167,9 @@ ParameterList RibArguments::parameters() {
 Declaration anysl::render::parseDeclaration(std::string_view text, std::string *name,
                                             const Location &where) {
   static const std::map<std::string_view, StorageClass> storages = {
-      {"constant", StorageClass::Constant},
-      {"uniform", StorageClass::Uniform},
-      {"varying", StorageClass::Varying},
-      {"vertex", StorageClass::Vertex},
-      {"facevarying", StorageClass::FaceVarying}};
+      {"constant", StorageClass::Constant},       {"uniform", StorageClass::Uniform},
+      {"varying", StorageClass::Varying},         {"vertex", StorageClass::Vertex},
+      {"facevarying", StorageClass::FaceVarying}, {"facevertex", StorageClass::FaceVarying}};
   static const std::map<std::string_view, ValueType> types = {
       {"float", ValueType::Float},   {"integer", ValueType::Float}, {"int", ValueType::Float},
       {"color", ValueType::Color},   {"point", ValueType::Point},   {"vector", ValueType::Vector},

@@ -118,7 +118,7 @@ void RibState::attribute(RibArguments &arguments) {
       visibility.transmission = Visibility::ByOpacity;
     else if (name == "light:shadows")
       state.lightShadows = on;
-    else if (group != "identifier" && group != "user")
+    else if (!isQuiet(group))
       warnUnknown("attribute", name, parameter.where);
   }
   state.appearance.attributes = std::move(attributes);

@@ -10,6 +10,7 @@
 #include "tools/anysl-render/RibState.h"
 
 #include <algorithm>
+#include <set>
 
 namespace fs = std::filesystem;
 using namespace anysl::render;
@@ -68,12 +69,9 @@ void RibState::display(RibArguments &arguments) {
     output.half = !type->strings.empty() && type->strings[0] == "half";
   if (!isFileType(output.format)) {
     // A picture that only a window would show is better than none.
-    warnings.warnOnce("display " + output.format, arguments.where(),
-                      "Display: there is no \"" + output.format + "\"; a file is written instead");
     output.isReplacement = true;
     if (fs::path(output.name).extension() != ".exr")
       output.name = fs::path(output.name).replace_extension(".png").string();
-    output.format = "file";
   }
   // As in the standard, "+name" adds an output and any other name starts the list anew.
   if (!output.name.empty() && output.name[0] == '+')
@@ -238,6 +236,15 @@ void RibState::colorSamples(RibArguments &arguments) {
   colorToRgb = std::move(toRgb);
 }
 
+/// Groups that shaders or other parts ask for themselves, and those that steer how other kinds of
+/// renderer reach the same picture.
+bool RibState::isQuiet(std::string_view group) {
+  static const std::set<std::string_view> groups = {
+      "user",   "searchpath", "identifier", "limits",    "bucket",     "dice",        "cull",
+      "render", "Render",     "grouping",   "trimcurve", "stochastic", "derivatives", "ribparse"};
+  return groups.contains(group);
+}
+
 void RibState::option(RibArguments &arguments) {
   std::string group = arguments.string("a name");
   for (const Parameter &parameter : arguments.parameters()) {
@@ -267,7 +274,7 @@ void RibState::option(RibArguments &arguments) {
     } else if (name == "anysl:ground") {
       background.ground = triple();
       background.visible = true;
-    } else if (group != "user" && group != "searchpath") {
+    } else if (!isQuiet(group)) {
       warnUnknown("option", name, parameter.where);
     }
   }

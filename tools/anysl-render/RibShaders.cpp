@@ -44,6 +44,14 @@ void RibState::imager(RibArguments &arguments) {
   scene.imager = addShader(ShaderKind::Imager, arguments);
 }
 
+void RibState::deformation(RibArguments &arguments) {
+  std::string name = arguments.string("a shader's name");
+  arguments.parameters();
+  if (name != "null" && !name.empty())
+    warnings.warnOnce("deformation", arguments.where(),
+                      "Deformation \"" + name + "\": shaders that deform are not run");
+}
+
 void RibState::lightSource(RibArguments &arguments) {
   LightUse light;
   light.where = arguments.where();

@@ -69,6 +69,7 @@ std::vector<SceneDescription> RibState::finish(const Location &end) {
   }
   if (finished.empty())
     throw UserError(end, "the file has no WorldBegin ... WorldEnd, so there is nothing to render");
+  finished.front().texturesBefore = std::move(firstTextures);
   return std::move(finished);
 }
 

@@ -86,6 +86,7 @@ private:
   /// What an option or attribute has been set to, or null.
   const Parameter *findSetting(std::string_view name) const;
 
+  void addTexture(TextureUse texture, RibArguments &arguments);
   /// A colour of as many samples as ColorSamples has stated.
   Vec3d readColor(RibArguments &arguments, const char *what);
 
@@ -101,6 +102,7 @@ private:
   void addPolygons(PolygonShape shape, ParameterList variables, RibArguments &arguments);
   void addPatches(PatchShape shape, RibArguments &arguments);
   void addQuadric(QuadricShape shape, RibArguments &arguments);
+  static bool isQuiet(std::string_view group);
   /// Warns once that a name of an option, attribute or parameter means nothing here.
   void warnUnknown(const char *what, const std::string &name, const Location &where);
 
@@ -124,6 +126,7 @@ private:
   double frame = 0;
   double detailFactor = 1;
   std::vector<double> colorToRgb; ///< three numbers for each sample of a colour; empty: it is RGB
+  std::vector<TextureUse> firstTextures; ///< made before the first picture
   std::vector<SceneDescription> finished;
 };
 

@@ -62,6 +62,13 @@ void RibState::worldBegin(RibArguments &arguments) {
 
 void RibState::worldEnd(RibArguments &arguments) {
   close(Block::World, "World", arguments);
+  for (OutputFile &output : scene.outputs)
+    if (output.isReplacement) {
+      warnings.warnOnce("display " + output.format, output.where,
+                        "Display: there is no \"" + output.format +
+                            "\"; a file is written instead");
+      output.format = "file";
+    }
   if (scene.outputs.empty())
     scene.outputs.push_back({sceneFile.stem().string() + ".png",
                              "file",

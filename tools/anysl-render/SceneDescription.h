@@ -222,6 +222,16 @@ struct BackgroundDescription {
   Vec3d zenith, horizon, ground;
 };
 
+/// A file of the scene's that is to be made from others: MakeTexture and its like.
+struct TextureUse {
+  enum Kind { Texture, LatLong, CubeFaces, Shadow } kind = Texture;
+  std::vector<std::string> pictures; ///< six of a cube: px nx py ny pz nz
+  std::string texture;
+  std::string wrapS = "periodic", wrapT = "periodic";
+  double fov = 90; ///< of a cube's faces
+  Location where;
+};
+
 struct SceneDescription {
   CameraDescription camera;
   int samplesX = 2, samplesY = 2;
@@ -234,6 +244,8 @@ struct SceneDescription {
   std::string folder;     ///< of the scene's file, where relative names of textures begin
   std::string shaderPath; ///< colon-separated; & stands for the default
   std::vector<OutputFile> outputs;
+  /// Textures that are to be made before and after the picture is rendered.
+  std::vector<TextureUse> texturesBefore, texturesAfter;
   std::vector<std::string> archives; ///< files that belong to the scene besides its own
   ParameterMap options;              ///< what Option has stated, known here or not
   int imager = -1;                   ///< index into shaders, or -1

@@ -39,6 +39,37 @@ bool fits(ValueType declared, uint32_t wanted) {
   }
 }
 
+/// Of a file that may hold several shaders, the one of the request's kind that has the file's name,
+/// or that is the only one of its kind.
+const AnyslShaderInfo *findShader(const AnyslLibrary *library, const ShaderUse &use) {
+  const AnyslLibraryInfo &file = *anysl_library_info(library);
+  std::string base = std::filesystem::path(use.name).filename().string();
+  base = base.substr(0, base.find('.'));
+  const AnyslShaderInfo *found = nullptr, *other = nullptr;
+  unsigned count = 0;
+  for (uint32_t i = 0; i < file.shader_count; ++i) {
+    const AnyslShaderInfo &shader = file.shaders[i];
+    if (shader.kind != uint32_t(use.kind)) {
+      other = &shader;
+      continue;
+    }
+    if (shader.name == base)
+      return &shader;
+    found = &shader;
+    ++count;
+  }
+  const std::string kind = anysl_kind_name(uint32_t(use.kind));
+  if (count > 1)
+    throw UserError(use.where, "\"" + use.name + "\" holds " + std::to_string(count) + " " + kind +
+                                   " shaders, and none is named \"" + base + "\"");
+  if (count == 0 && !other)
+    throw UserError(use.where, "\"" + use.name + "\" holds no shader");
+  if (count == 0)
+    throw UserError(use.where, "\"" + use.name + "\" is a " + anysl_kind_name(other->kind) +
+                                   " shader, not a " + kind + " shader");
+  return found;
+}
+
 } // namespace
 
 void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
@@ -89,27 +120,14 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
   if (opened == libraries.end())
     return nullptr;
   AnyslLibrary *library = opened->second.get();
-  // The shader of the file's name, or the only one there is.
-  std::string base = std::filesystem::path(use.name).filename().string();
-  base = base.substr(0, base.find('.'));
-  bool only = anysl_library_info(library)->shader_count == 1;
-  std::string exact = anysl_kind_name(uint32_t(use.kind)) + (":" + base);
-  const AnyslShaderInfo *info = anysl_library_shader(library, exact.c_str());
-  if (!info)
-    info = anysl_library_shader(library, only ? nullptr : base.c_str());
-  if (!info)
-    throw UserError(use.where, anysl_last_error());
-  if (info->kind != uint32_t(use.kind))
-    throw UserError(use.where, "\"" + use.name + "\" is a " + anysl_kind_name(info->kind) +
-                                   " shader, not a " + anysl_kind_name(uint32_t(use.kind)) +
-                                   " shader");
+  const AnyslShaderInfo *info = findShader(library, use);
   auto shader = std::make_unique<Shader>();
   shader->scene = &scene;
   shader->use = &use;
   shader->info = info;
   shader->space = Space(use.shaderToCamera);
   AnyslInstance *instance = nullptr;
-  exact = anysl_kind_name(info->kind) + (":" + std::string(info->name));
+  std::string exact = anysl_kind_name(info->kind) + (":" + std::string(info->name));
   if (anysl_instance_create(library, exact.c_str(), &services, shader.get(), &instance))
     throw UserError(use.where, anysl_last_error());
   shader->instance.reset(instance);

@@ -9,6 +9,7 @@
 #include "tools/anysl-render/Progress.h"
 #include "tools/anysl-render/Render.h"
 #include "tools/anysl-render/RibReader.h"
+#include "tools/anysl-render/Textures.h"
 #include "tools/anysl-render/Watch.h"
 
 #include <tbb/global_control.h>
@@ -144,6 +145,16 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
   return true;
 }
 
+void makeTextures(const std::vector<TextureUse> &textures, Warnings &warnings) {
+  for (const TextureUse &texture : textures)
+    try {
+      makeTexture(texture);
+    } catch (const UserError &error) {
+      // What needs the texture says so itself.
+      warnings.warn(error.where, error.message);
+    }
+}
+
 void renderFile(const Options &options, Watch *watch, unsigned threads) {
   Warnings warnings;
   warnings.keepGoing = options.keepGoing;
@@ -151,8 +162,10 @@ void renderFile(const Options &options, Watch *watch, unsigned threads) {
   for (SceneDescription &scene : scenes) {
     scene.folder = fs::path(options.scene).parent_path().string();
     applyOptions(options, scene);
+    makeTextures(scene.texturesBefore, warnings);
     if (!renderScene(options, scene, watch, threads, warnings))
       return;
+    makeTextures(scene.texturesAfter, warnings);
   }
 }
 
