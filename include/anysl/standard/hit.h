@@ -32,7 +32,7 @@ inline bool findHit(const anysl_context *context, uint32_t shades, float px, flo
   ::findHit(context->args, context->point, shades, &px, &py, &pz, &rx, &ry, &rz, &reach, &t, &nx,
             &ny, &nz, &gx, &gy, &gz, &r, &g, &b, &opaqueR, &opaqueG, &opaqueB);
   bool isHit = t >= 0;
-  distance = anysl_float(isHit ? t : float(nothingMet));
+  distance = select(isHit, anysl_float(t), anysl_float(nothingMet));
   N = {anysl_float(nx), anysl_float(ny), anysl_float(nz)};
   Ng = {anysl_float(gx), anysl_float(gy), anysl_float(gz)};
   color = {anysl_float(r), anysl_float(g), anysl_float(b)};
