@@ -83,10 +83,10 @@ void fillBatch(AnyslBatch *batch) {
     write(batch, ANYSL_t, i, v);
     write(batch, ANYSL_dPdu, i, -z, 0, x);
     write(batch, ANYSL_dPdv, i, 0, 1, 0);
+    write(batch, ANYSL_du, i, 1.f / side);
+    write(batch, ANYSL_dv, i, 1.f / side);
   }
   write(batch, ANYSL_E, 0, 0, 0, -3);
-  write(batch, ANYSL_du, 0, 1.f / side);
-  write(batch, ANYSL_dv, 0, 1.f / side);
   static const AnyslLight lights[] = {makeLight(ANYSL_LIGHT_DISTANT, 0.6f, -0.48f, 0.64f, 0.8f),
                                       makeLight(ANYSL_LIGHT_POINT, -3, 4, -5, 20)};
   static const float ambient[3] = {0.1f, 0.1f, 0.1f};

@@ -186,6 +186,9 @@ private:
   std::vector<FormatDirective> directivesOf(const StringExpr &format);
   Expr *checkConcat(CallExpr &call);
   Expr *checkShaderName(CallExpr &call);
+  // Forms of built-ins that are calls of another (SemaDerivatives.cpp); null if the call has none.
+  Expr *rewriteCall(CallExpr &call, TypeKind hint);
+  Expr *rewriteFilterstep(CallExpr &call, size_t positional, TypeKind hint);
   std::string signature(const Candidate &candidate);
   void useVarying();
 

@@ -290,6 +290,9 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
   if (all.empty() && !given.object)
     if (Expr *special = checkSpecial(given, hint))
       return special;
+  if (!all.empty() && all[0].builtin)
+    if (Expr *rewritten = rewriteCall(given, hint))
+      return rewritten;
   CallExpr *call = &given;
   splitNamed(given);
   bool isExtreme = given.name == "min" || given.name == "max";

@@ -58,6 +58,8 @@ void Sema::check() {
 
 void Sema::declareGlobals() {
   for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
+    if (global.isHidden)
+      continue;
     auto *decl = ast.make<VarDecl>();
     decl->kind = VarKind::Global;
     decl->name = global.name;

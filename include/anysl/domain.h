@@ -7,90 +7,104 @@
 //
 // The one place for such rules. From finite operands no function here gives NaN or infinity, so
 // that one bad pixel never spreads; NaN operands still give NaN. Sums and products may overflow, as
-// IEEE arithmetic has it.
+// IEEE arithmetic has it. Here are the functions for float and double; <anysl/dual.h> has those of
+// numbers with derivatives, whose values are the same.
 //
 //===------------------------------------------------------------------------------------------===//
+
+// Outside the guard: a real of numbers with derivatives includes this file itself.
+#include <anysl/real.h>
 
 #ifndef ANYSL_DOMAIN_H
 #define ANYSL_DOMAIN_H
 
-#include <anysl/real.h>
-
 namespace anysl {
 
 /// a / b; 0 where |b| is below the smallest normal number (and so for b = 0).
-inline anysl_float divide(anysl_float a, anysl_float b) {
-  return select(absOf(b) < smallestNormal, anysl_float(0), math::divide(a, b));
+template <typename Real>
+inline Real divide(Real a, Real b) {
+  return select(absOf(b) < IeeeFormat<Real>::smallestNormal, Real(0), math::divide(a, b));
 }
 
 /// The square root; 0 for x < 0.
-inline anysl_float squareRoot(anysl_float x) {
-  return math::sqrt(select(x < 0, anysl_float(0), x));
+template <typename Real>
+inline Real squareRoot(Real x) {
+  return math::sqrt(select(x < 0, Real(0), x));
 }
 
 /// 1 / sqrt(x); 0 for x <= 0.
-inline anysl_float inverseSquareRoot(anysl_float x) {
-  return select(x <= 0, anysl_float(0), math::inversesqrt(x));
+template <typename Real>
+inline Real inverseSquareRoot(Real x) {
+  return select(x <= 0, Real(0), math::inversesqrt(x));
 }
 
 /// e to the x, at most the largest finite number.
-inline anysl_float exponential(anysl_float x) {
-  anysl_float y = math::exp(x);
-  return select(y > largestFinite, largestFinite, y);
+template <typename Real>
+inline Real exponential(Real x) {
+  Real y = math::exp(x);
+  return select(y > IeeeFormat<Real>::largestFinite, IeeeFormat<Real>::largestFinite, y);
 }
 
 /// The natural logarithm; 0 for x <= 0.
-inline anysl_float logarithm(anysl_float x) { return select(x <= 0, anysl_float(0), math::log(x)); }
+template <typename Real>
+inline Real logarithm(Real x) {
+  return select(x <= 0, Real(0), math::log(x));
+}
 
 /// x limited to [-1, 1], where arc sine and arc cosine live.
-inline anysl_float limitToUnit(anysl_float x) {
-  x = select(x > 1, anysl_float(1), x);
-  return select(x < -1, anysl_float(-1), x);
+template <typename Real>
+inline Real limitToUnit(Real x) {
+  x = select(x > 1, Real(1), x);
+  return select(x < -1, Real(-1), x);
 }
 
 /// x to the y. Exact for y = 0 (1, whatever x is), 1 and 2. A negative x has powers for integers y
 /// only; others, and 0 to a negative power, give 0. At most the largest finite number in magnitude.
-inline anysl_float power(anysl_float x, anysl_float y) {
-  anysl_float half = y * anysl_float(0.5);
+template <typename Real>
+inline Real power(Real x, Real y) {
+  Real half = y * Real(0.5);
   bool isInteger = floorOf(y) == y;
   bool isOdd = isInteger & (floorOf(half) != half);
-  anysl_float magnitude = math::pow(absOf(x), y);
-  magnitude = select(magnitude > largestFinite, largestFinite, magnitude);
-  anysl_float result = negateIf(magnitude, isOdd & (x < 0));
+  Real magnitude = math::pow(absOf(x), y);
+  magnitude = select(magnitude > IeeeFormat<Real>::largestFinite, IeeeFormat<Real>::largestFinite,
+                     magnitude);
+  Real result = negateIf(magnitude, isOdd & (x < 0));
   bool isUndefined = ((x < 0) & !isInteger) | ((x == 0) & (y < 0));
-  result = select(isUndefined & (y == y), anysl_float(0), result);
+  result = select(isUndefined & (y == y), Real(0), result);
   result = select(y == 2, x * x, result);
   result = select(y == 1, x, result);
-  return select(y == 0, anysl_float(1), result);
+  return select(y == 0, Real(1), result);
 }
 
 /// a - b floor(a/b): in [0, b) for b > 0, in (b, 0] for b < 0, 0 for b = 0. Exact while a/b has no
 /// more digits than a real; the result stays in range beyond.
-inline anysl_float modulo(anysl_float a, anysl_float b) {
+template <typename Real>
+inline Real modulo(Real a, Real b) {
   uint32_t sign = b < 0;
-  anysl_float x = negateIf(a, sign), period = absOf(b);
-  anysl_float quotient = floorOf(math::divide(x, period));
-  anysl_float r = fusedMultiplyAdd(-quotient, period, x);
+  Real x = negateIf(a, sign), period = absOf(b);
+  Real quotient = floorOf(math::divide(x, period));
+  Real r = fusedMultiplyAdd(-quotient, period, x);
   // A quotient just below an integer rounds to it, and is then one too large.
   r = select(r < 0, r + period, r);
   // What is left are sums that rounded to the period itself, and quotients beyond a real's digits.
   r = select(r < period, r, justBelow(period));
-  r = select(r < 0, anysl_float(0), r);
-  bool isEndless = absOf(quotient) > largestFinite;
-  r = select((period == 0) | isEndless, anysl_float(0), r);
+  r = select(r < 0, Real(0), r);
+  bool isEndless = absOf(quotient) > IeeeFormat<Real>::largestFinite;
+  r = select((period == 0) | isEndless, Real(0), r);
   // NaN operands fail every comparison above.
-  anysl_float sum = a + b;
+  Real sum = a + b;
   r = select(isNaN(sum), sum, r);
   return negateIf(r, sign);
 }
 
 /// The length of (x, y, z), exact to a few units in the last place wherever the length itself is a
 /// normal number: the squares are taken of components brought near 1 by a power of two.
-inline anysl_float lengthOf(anysl_float x, anysl_float y, anysl_float z) {
-  anysl_float largest = absOf(x);
+template <typename Real>
+inline Real lengthOf(Real x, Real y, Real z) {
+  Real largest = absOf(x);
   largest = select(absOf(y) > largest, absOf(y), largest);
   largest = select(absOf(z) > largest, absOf(z), largest);
-  anysl_float down, up;
+  Real down, up;
   scaleFor(largest, down, up);
   x = x * down, y = y * down, z = z * down;
   return math::sqrt(x * x + y * y + z * z) * up;

@@ -5,10 +5,10 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// What a real's header promises (runtimes/real/README.md), for `anysl_float` being float or double:
-// the header defines that name and includes this file. Everything is free of branches, so that it
-// widens into straight vector code; a selection is written `a < b ? x : y` such that NaN takes the
-// arm named.
+// What a real's header promises (runtimes/real/README.md), for float and double. The header defines
+// `anysl_number`, which is one of the two, and includes this file. Everything is free of branches,
+// so that it widens into straight vector code; a selection is written `a < b ? x : y` such that NaN
+// takes the arm named.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -45,47 +45,57 @@ struct IeeeFormat<double> {
   static constexpr double largestInteger = 0x1.fffffffffffffp62;
 };
 
-//===-- Constants -----------------------------------------------------------------------------===//
-
-using Format = IeeeFormat<anysl_float>;
-inline constexpr anysl_float smallestNormal = Format::smallestNormal;
-inline constexpr anysl_float largestFinite = Format::largestFinite;
-inline constexpr anysl_float infinity = __builtin_inff();
-
 //===-- Bits ----------------------------------------------------------------------------------===//
 
-inline constexpr int signShift = sizeof(anysl_float) * 8 - 1;
+template <typename Real>
+using BitsOf = typename IeeeFormat<Real>::Bits;
 
-inline Format::Bits bitsOf(anysl_float x) { return __builtin_bit_cast(Format::Bits, x); }
-inline anysl_float fromBits(Format::Bits b) { return __builtin_bit_cast(anysl_float, b); }
+template <typename Real>
+inline BitsOf<Real> bitsOf(Real x) {
+  return __builtin_bit_cast(BitsOf<Real>, x);
+}
+template <typename Real>
+inline Real fromBits(BitsOf<Real> b) {
+  return __builtin_bit_cast(Real, b);
+}
 
 /// The number before x > 0.
-inline anysl_float justBelow(anysl_float x) { return fromBits(bitsOf(x) - 1); }
+template <typename Real>
+inline Real justBelow(Real x) {
+  return fromBits<Real>(bitsOf(x) - 1);
+}
 
 /// -x where bit 0 of `sign` is set, else x. The other bits do not count.
-inline anysl_float negateIf(anysl_float x, uint32_t sign) {
-  return fromBits(bitsOf(x) ^ (Format::Bits(sign) << signShift));
+template <typename Real>
+inline Real negateIf(Real x, uint32_t sign) {
+  return fromBits<Real>(bitsOf(x) ^ (BitsOf<Real>(sign) << (sizeof(Real) * 8 - 1)));
 }
 
 /// Sets `down` to a power of two that brings m >= 0 near 1, and `up` to its inverse. Both are
 /// normal numbers; at the very ends of the range m * down stays a few binades away from 1.
-inline void scaleFor(anysl_float m, anysl_float &down, anysl_float &up) {
-  using Bits = Format::Bits;
+template <typename Real>
+inline void scaleFor(Real m, Real &down, Real &up) {
+  using Format = IeeeFormat<Real>;
+  using Bits = typename Format::Bits;
   constexpr Bits one = Bits(1) << Format::fractionBits;
   constexpr Bits last = (2 * Format::bias - 1) * one;
   Bits exponent = bitsOf(m) & (~Bits(0) << Format::fractionBits);
   exponent = __builtin_elementwise_max(exponent, one);
   exponent = __builtin_elementwise_min(exponent, last);
-  down = fromBits(last + one - exponent);
-  up = fromBits(exponent);
+  down = fromBits<Real>(last + one - exponent);
+  up = fromBits<Real>(exponent);
 }
 
 //===-- Selection and rounding ----------------------------------------------------------------===//
 
-inline anysl_float select(bool condition, anysl_float a, anysl_float b) {
+template <typename Real>
+inline Real select(bool condition, Real a, Real b) {
   return condition ? a : b;
 }
-inline bool isNaN(anysl_float x) { return x != x; }
+template <typename Real>
+inline bool isNaN(Real x) {
+  return x != x;
+}
 
 inline float absOf(float x) { return __builtin_fabsf(x); }
 inline double absOf(double x) { return __builtin_fabs(x); }
@@ -107,30 +117,63 @@ inline double fusedMultiplyAdd(double a, double b, double c) { return __builtin_
 /// The integer x (floored already) modulo 2^32. Beyond the integers of the format, and for NaN, one
 /// fixed cell: conversion of such numbers is undefined, and differs between scalar and vector
 /// instructions.
-inline uint32_t latticeCell(anysl_float x) {
-  constexpr anysl_float high = Format::largestInteger, low = -high;
+template <typename Real>
+inline uint32_t latticeCell(Real x) {
+  constexpr Real high = IeeeFormat<Real>::largestInteger, low = -high;
   x = x > low ? x : low;
   x = x < high ? x : high;
-  return uint32_t(Format::Integer(x));
+  return uint32_t(typename IeeeFormat<Real>::Integer(x));
 }
 
 /// The integer x (floored already), limited to what fits; NaN gives 0.
-inline int32_t toInteger(anysl_float x) {
-  constexpr anysl_float high = IeeeFormat<float>::largestInteger, low = -high;
-  x = isNaN(x) ? anysl_float(0) : x;
+template <typename Real>
+inline int32_t toInteger(Real x) {
+  constexpr Real high = IeeeFormat<float>::largestInteger, low = -high;
+  x = isNaN(x) ? Real(0) : x;
   x = x > low ? x : low;
   x = x < high ? x : high;
   return int32_t(x);
 }
 
 /// A number in [0, 1) from the high 24 bits, the same for float and double.
-inline anysl_float unitFromBits(uint32_t bits) {
-  return anysl_float(int32_t(bits >> 8)) * anysl_float(0x1p-24);
+inline anysl_number unitFromBits(uint32_t bits) {
+  return anysl_number(int32_t(bits >> 8)) * anysl_number(0x1p-24);
 }
 
 /// A number in [-1, 1) from 32 bits, the same for float and double.
-inline anysl_float signedUnitFromBits(uint32_t bits) {
-  return anysl_float(int32_t(bits) >> 8) * anysl_float(0x1p-23);
+inline anysl_number signedUnitFromBits(uint32_t bits) {
+  return anysl_number(int32_t(bits) >> 8) * anysl_number(0x1p-23);
+}
+
+//===-- Derivatives ---------------------------------------------------------------------------===//
+// A plain number has none. <anysl/dual.h> has the same names for numbers that do.
+
+template <typename Real>
+inline Real valueOf(Real x) {
+  return x;
+}
+template <typename Real>
+inline Real derivativeU(Real) {
+  return 0;
+}
+template <typename Real>
+inline Real derivativeV(Real) {
+  return 0;
+}
+template <typename Real>
+inline constexpr bool hasDerivatives = false;
+/// The number with that value and those derivatives; where Real has none, the value.
+template <typename Real>
+inline Real withDerivatives(anysl_number value, anysl_number u, anysl_number v) {
+  if constexpr (hasDerivatives<Real>)
+    return Real(value, u, v);
+  else
+    return value;
+}
+/// `value`, with the derivatives of `x`: for a value that was computed by better means than x.
+template <typename Real>
+inline Real withValue(Real value, Real) {
+  return value;
 }
 
 //===-- Derivatives ---------------------------------------------------------------------------===//

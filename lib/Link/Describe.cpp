@@ -33,14 +33,14 @@ public:
     SmallVector<Constant *> shaders;
     for (const Shader &shader : session.shaders)
       shaders.push_back(shaderInfo(shader));
-    Constant *info = structure(
-        sizeof(AnyslLibraryInfo),
-        {u32(ANYSL_MAGIC), u32(ANYSL_ABI_VERSION), u32(sizeof(AnyslLibraryInfo)), layout(), real(),
-         u32(ANYSL_GLOBAL_COUNT), u32(ANYSL_COMPONENT_COUNT), u32(sizeof(AnyslShadeArgs)),
-         u32(sizeof(AnyslServices)), u32(unsigned(shaders.size())), array(shaders),
-         text("AnySL " ANYSL_VERSION), text(session.options.runtime), text(session.options.real),
-         text(session.options.math), text(session.target.getTargetCPU()),
-         text(cpuFeatures(session.target))});
+    Constant *info =
+        structure(sizeof(AnyslLibraryInfo),
+                  {u32(ANYSL_MAGIC), u32(ANYSL_ABI_VERSION), u32(sizeof(AnyslLibraryInfo)),
+                   layout(), real(), u32(ANYSL_GLOBAL_COUNT), u32(ANYSL_COMPONENT_COUNT),
+                   u32(sizeof(AnyslShadeArgs)), u32(sizeof(AnyslServices)),
+                   u32(unsigned(shaders.size())), array(shaders), text("AnySL " ANYSL_VERSION),
+                   text(session.options.runtime), text(session.real), text(session.options.math),
+                   text(session.target.getTargetCPU()), text(cpuFeatures(session.target))});
     auto *library = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                        GlobalValue::ExternalLinkage, info, ANYSL_LIBRARY_SYMBOL);
     library->setAlignment(Align(8));

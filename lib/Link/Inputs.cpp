@@ -10,6 +10,7 @@
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringSet.h"
+#include "llvm/ADT/StringSwitch.h"
 #include "llvm/Bitcode/BitcodeReader.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/MemoryBuffer.h"
@@ -95,6 +96,25 @@ std::vector<std::string> availableMathTiers(StringRef resourceDir) {
   return modulesIn(resourceDir + "/math");
 }
 
+/// The real with derivatives of a plain one; empty if there is none.
+static StringRef withDerivatives(StringRef real) {
+  return StringSwitch<StringRef>(real)
+      .Case("float", "dual")
+      .Case("double", "dualdouble")
+      .Default("");
+}
+
+bool openLayersWithDerivatives(Session &session) {
+  StringRef real = withDerivatives(session.real);
+  if (real.empty() || !is_contained(modulesIn(session.options.resourceDir + "/runtime"),
+                                    (session.options.runtime + "." + real).str()))
+    return false;
+  session.real = real.str();
+  session.report.real = session.real;
+  session.layers.clear();
+  return openLayers(session);
+}
+
 bool openLayers(Session &session) {
   const LinkOptions &options = session.options;
   StringRef folder = options.resourceDir;
@@ -102,20 +122,20 @@ bool openLayers(Session &session) {
        tiers = availableMathTiers(folder);
   if (!is_contained(runtimes, options.runtime))
     return unknownName(session, "runtime", options.runtime, runtimes);
-  if (!is_contained(reals, options.real))
-    return unknownName(session, "real", options.real, reals);
+  if (!is_contained(reals, session.real))
+    return unknownName(session, "real", session.real, reals);
   if (!is_contained(tiers, options.math))
     return unknownName(session, "math tier", options.math, tiers);
-  if (!is_contained(modulesIn(folder + "/runtime"), options.runtime + "." + options.real)) {
+  if (!is_contained(modulesIn(folder + "/runtime"), options.runtime + "." + session.real)) {
     session.diags.error("runtime '" + options.runtime + "' does not work with real '" +
-                        options.real + "'");
+                        session.real + "'");
     return false;
   }
   return openLayer(session, "the shading library", folder + "/" + shadelibName) &&
-         openLayer(session, "real '" + options.real + "'",
-                   folder + "/real/" + options.real + ".bc") &&
+         openLayer(session, "real '" + session.real + "'",
+                   folder + "/real/" + session.real + ".bc") &&
          openLayer(session, "runtime '" + options.runtime + "'",
-                   folder + "/runtime/" + options.runtime + "." + options.real + ".bc") &&
+                   folder + "/runtime/" + options.runtime + "." + session.real + ".bc") &&
          openLayer(session, "math tier '" + options.math + "'",
                    folder + "/math/" + options.math + ".bc");
 }

@@ -49,7 +49,8 @@ public:
       addModule("'" + file.path + "'", file.module.get());
   }
 
-  bool run() {
+  /// Follows everything from the shaders and the runtime on; reads what it meets.
+  bool follow() {
     prepareShaders();
     for (StringRef name : {"anysl_runtime_shade_point", "anysl_runtime_init",
                            "anysl_runtime_layout", "anysl_type_float"})
@@ -61,8 +62,13 @@ public:
       auto [value, origin] = worklist.pop_back_val();
       scan(*value, origin);
     }
-    return good && merge();
+    return good;
   }
+
+  /// Where a shader asks how a value changes; null if none does.
+  const Origin *derivativeUse() const { return derivative ? &*derivative : nullptr; }
+
+  bool merge();
 
 private:
   struct Input {
@@ -106,6 +112,8 @@ private:
     const stc::OpInfo *op = stc::opOfSymbol(name);
     if (op && op->purity == stc::Purity::Structural)
       return;
+    if (op && op->effect == stc::Effect::Derivatives && !derivative)
+      derivative = origin;
     GlobalValue *value = definition(name);
     if (op && (!value || value->getParent() == neutralOps) && !neutralMeaning(op->op).empty())
       declinedOp(*op, origin);
@@ -115,7 +123,7 @@ private:
       missingOp(*op, origin);
     else if (name.starts_with("anysl_") && reported.insert(name).second)
       fail({}, "nobody defines '" + name + "', which runtime '" + session.options.runtime +
-                   "' with real '" + session.options.real + "' needs");
+                   "' with real '" + session.real + "' needs");
     // Anything else belongs to the C library, where the linker of the shared library looks it up.
   }
 
@@ -207,7 +215,7 @@ private:
     if (!reported.insert(op.symbol()).second)
       return;
     std::string message = "operator '" + op.symbol() + "' is not defined by runtime '" +
-                          session.options.runtime + "' with real '" + session.options.real +
+                          session.options.runtime + "' with real '" + session.real +
                           "' nor by the shading library";
     if (!origin.via.empty())
       message += "; '" + origin.via + "' needs it";
@@ -221,8 +229,6 @@ private:
     session.diags.error(position, message);
   }
 
-  bool merge();
-
   Session &session;
   std::vector<Input> inputs;
   DenseMap<const Module *, size_t> inputOf;
@@ -230,6 +236,7 @@ private:
   StringSet<> reported;
   StringSet<> variants;
   Module *neutralOps = nullptr; ///< made where something is declined
+  std::optional<Origin> derivative;
   bool good = true;
 };
 
@@ -281,6 +288,25 @@ bool ModuleLinker::merge() {
 
 } // namespace
 
-bool linkModules(Session &session) { return ModuleLinker(session).run(); }
+bool linkModules(Session &session) {
+  {
+    ModuleLinker linker(session);
+    if (!linker.follow())
+      return false;
+    const Origin *use = linker.derivativeUse();
+    if (!use || any_of(session.layers,
+                       [](const Layer &layer) { return carriesDerivatives(*layer.module); }))
+      return linker.merge();
+    if (!openLayersWithDerivatives(session)) {
+      session.diags.error(use->position, "shader '" + use->shader +
+                                             "' asks for derivatives, which runtime '" +
+                                             session.options.runtime + "' with real '" +
+                                             session.real + "' does not carry");
+      return false;
+    }
+  }
+  ModuleLinker linker(session);
+  return linker.follow() && linker.merge();
+}
 
 } // namespace anysl::link

@@ -110,7 +110,9 @@ bool optimize(Session &session) {
     describeArguments(*shader.init);
     shader.point->addParamAttr(0, Attribute::ReadOnly);
   }
+  relaxDerivatives(module);
   inlineAndSimplify(module, session.target);
+  keepArithmetic(module);
   for (Shader &shader : session.shaders) {
     markInvariants(*shader.point);
     shader.report.scalarInstructions = shader.point->getInstructionCount();

@@ -56,12 +56,15 @@ struct Shader {
 struct Session {
   Session(DiagnosticEngine &diags, llvm::LLVMContext &context, const LinkOptions &options,
           llvm::TargetMachine &target)
-      : diags(diags), context(context), options(options), target(target) {}
+      : diags(diags), context(context), options(options), target(target), real(options.real) {}
 
   DiagnosticEngine &diags;
   llvm::LLVMContext &context;
   const LinkOptions &options;
   llvm::TargetMachine &target;
+
+  /// The real that is linked: options.real, or that with derivatives if the shaders ask for them.
+  std::string real;
 
   /// Shaders' files; their modules are used up by `link`.
   std::vector<stc::StcModule> files;
@@ -82,6 +85,19 @@ bool readInputs(Session &session, llvm::ArrayRef<std::string> files);
 
 /// Opens runtime, real and math tier of a resource folder.
 bool openLayers(Session &session);
+
+/// Replaces the session's layers by those whose numbers carry derivatives. Gives false, and does
+/// nothing, if the real has no such partner or the runtime does not work with it.
+bool openLayersWithDerivatives(Session &session);
+
+/// Whether a module's real has more than a value.
+bool carriesDerivatives(const llvm::Module &module);
+
+/// Lets 0 x be 0 and 0 + x be x in the arithmetic of derivatives, which <anysl/dual.h> has marked,
+/// until keepArithmetic() takes that back. Everything in between may use it; code that is widened
+/// afterwards gives the same bits at every width.
+void relaxDerivatives(llvm::Module &module);
+void keepArithmetic(llvm::Module &module);
 
 /// Reports recursion among what a function calls; there is no stack for it where shaders run, and
 /// inlining would not end. Gives false if there is any.

@@ -25,9 +25,18 @@ constexpr StringLiteral kindNames[] = {"surface", "displacement", "light", "volu
 #define ANYSL_STORAGE_uniform Storage::Uniform
 const GlobalVariableInfo globals[] = {
 #define ANYSL_GLOBAL(id, name, type, components, storage, doc)                                     \
-  {id, #name, Type::type##Ty, components, ANYSL_STORAGE_##storage, doc},
+  {id, #name, Type::type##Ty, components, ANYSL_STORAGE_##storage, doc, false},
+#define ANYSL_HIDDEN_GLOBAL(id, name, type, components, storage, doc)                              \
+  {id, #name, Type::type##Ty, components, ANYSL_STORAGE_##storage, doc, true},
 #include <anysl/Globals.def>
 };
+
+namespace number {
+enum : unsigned {
+#define ANYSL_GLOBAL(id, name, type, components, storage, doc) name = id,
+#include <anysl/Globals.def>
+};
+} // namespace number
 
 /// Reads back what `toString(OpParam)` writes.
 std::optional<OpParam> parseParam(StringRef text) {
@@ -86,6 +95,19 @@ const GlobalVariableInfo *globalNumbered(unsigned id) {
   const GlobalVariableInfo *found =
       find_if(globals, [&](const GlobalVariableInfo &entry) { return entry.id == id; });
   return found == std::end(globals) ? nullptr : found;
+}
+
+ArrayRef<unsigned> derivativesOf(unsigned id) {
+  switch (id) {
+#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
+  case number::name: {                                                                             \
+    static constexpr unsigned ids[] = {number::byU, number::byV};                                  \
+    return ids;                                                                                    \
+  }
+#include <anysl/Globals.def>
+  default:
+    return {};
+  }
 }
 
 FilePosition positionOf(const Instruction &instruction) {

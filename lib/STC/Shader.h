@@ -78,10 +78,15 @@ struct GlobalVariableInfo {
   unsigned components;
   Storage storage;
   llvm::StringLiteral doc;
+  /// No shader can name it; runtimes read it.
+  bool isHidden;
 };
 llvm::ArrayRef<GlobalVariableInfo> allGlobals();
 /// The shader global with that number; null if there is none.
 const GlobalVariableInfo *globalNumbered(unsigned id);
+/// The numbers of the globals from which a runtime takes a global's derivatives by u and v; none if
+/// they are constant.
+llvm::ArrayRef<unsigned> derivativesOf(unsigned id);
 
 /// The limits that the verifier holds, so that hand-made files cannot ask for absurd storage.
 inline constexpr unsigned maxArrayLength = 65536;

@@ -15,6 +15,8 @@
 
 #include <anysl/standard/context.h>
 
+using namespace anysl;
+
 namespace {
 
 /// W reals in a register. In memory they are copied, because only a real's alignment is known
@@ -191,20 +193,21 @@ WIDE_FORMS(16, uint16_t)
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
   float r, g, b;
-  packet_trace(context->args, context->point, P->x, P->y, P->z, R->x, R->y, R->z, &r, &g, &b);
+  packet_trace(context->args, context->point, valueOf(P->x), valueOf(P->y), valueOf(P->z),
+               valueOf(R->x), valueOf(R->y), valueOf(R->z), &r, &g, &b);
   *result = {r, g, b};
 }
 
 void anysl_trace_float(anysl_float *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
-  *result =
-      packet_trace_distance(context->args, context->point, P->x, P->y, P->z, R->x, R->y, R->z);
+  *result = packet_trace_distance(context->args, context->point, valueOf(P->x), valueOf(P->y),
+                                  valueOf(P->z), valueOf(R->x), valueOf(R->y), valueOf(R->z));
 }
 
 void anysl_transmission(anysl_color *result, anysl_context *context, const anysl_point *from,
                         const anysl_point *to) {
   float r, g, b;
-  packet_transmission(context->args, context->point, from->x, from->y, from->z, to->x, to->y, to->z,
-                      &r, &g, &b);
+  packet_transmission(context->args, context->point, valueOf(from->x), valueOf(from->y),
+                      valueOf(from->z), valueOf(to->x), valueOf(to->y), valueOf(to->z), &r, &g, &b);
   *result = {r, g, b};
 }

@@ -15,17 +15,17 @@ using namespace anysl;
 
 namespace {
 
-anysl_float &global(const anysl_context *context, uint32_t id, int component) {
-  auto *points = static_cast<anysl_float *>(context->args->globals[0]);
+anysl_number &global(const anysl_context *context, uint32_t id, int component) {
+  auto *points = static_cast<anysl_number *>(context->args->globals[0]);
   return points[size_t(context->point) * ANYSL_COMPONENT_COUNT + globalComponent[id] + component];
 }
 
 /// Component number `component` of an element of a parameter given point by point, where a type has
 /// `components` of them.
 template <int components>
-anysl_float &varying(const anysl_context *context, uint32_t id, uint32_t element, int component) {
+anysl_number &varying(const anysl_context *context, uint32_t id, uint32_t element, int component) {
   const AnyslShadeArgs *args = context->args;
-  auto *values = static_cast<anysl_float *>(args->param_data[id]);
+  auto *values = static_cast<anysl_number *>(args->param_data[id]);
   return values[(size_t(element) * args->data_stride + context->point) * components + component];
 }
 

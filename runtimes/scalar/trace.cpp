@@ -12,60 +12,62 @@
 
 #include <anysl/standard/context.h>
 
+using namespace anysl;
+
 namespace {
 
 constexpr double farAway = 1e30; // what a ray that the renderer does not trace has travelled
 
 __attribute__((noinline)) void scalarTrace(const AnyslShadeArgs *args, uint32_t point,
-                                           anysl_float px, anysl_float py, anysl_float pz,
-                                           anysl_float rx, anysl_float ry, anysl_float rz,
-                                           anysl_float *r, anysl_float *g, anysl_float *b) {
+                                           anysl_number px, anysl_number py, anysl_number pz,
+                                           anysl_number rx, anysl_number ry, anysl_number rz,
+                                           anysl_number *r, anysl_number *g, anysl_number *b) {
   double P[3] = {px, py, pz}, R[3] = {rx, ry, rz}, color[3] = {0, 0, 0};
   if (args->services->trace)
     args->services->trace(args->renderer, args, point, P, R, color);
-  *r = anysl_float(color[0]), *g = anysl_float(color[1]), *b = anysl_float(color[2]);
+  *r = anysl_number(color[0]), *g = anysl_number(color[1]), *b = anysl_number(color[2]);
 }
 
 __attribute__((noinline)) void scalarTransmission(const AnyslShadeArgs *args, uint32_t point,
-                                                  anysl_float fx, anysl_float fy, anysl_float fz,
-                                                  anysl_float tx, anysl_float ty, anysl_float tz,
-                                                  anysl_float *r, anysl_float *g, anysl_float *b) {
+                                                  anysl_number fx, anysl_number fy, anysl_number fz,
+                                                  anysl_number tx, anysl_number ty, anysl_number tz,
+                                                  anysl_number *r, anysl_number *g,
+                                                  anysl_number *b) {
   double from[3] = {fx, fy, fz}, to[3] = {tx, ty, tz}, color[3] = {1, 1, 1};
   if (args->services->transmission)
     args->services->transmission(args->renderer, args, point, from, to, color);
-  *r = anysl_float(color[0]), *g = anysl_float(color[1]), *b = anysl_float(color[2]);
+  *r = anysl_number(color[0]), *g = anysl_number(color[1]), *b = anysl_number(color[2]);
 }
 
-__attribute__((noinline)) anysl_float scalarTraceDistance(const AnyslShadeArgs *args,
-                                                          uint32_t point, anysl_float px,
-                                                          anysl_float py, anysl_float pz,
-                                                          anysl_float rx, anysl_float ry,
-                                                          anysl_float rz) {
+__attribute__((noinline)) anysl_number
+scalarTraceDistance(const AnyslShadeArgs *args, uint32_t point, anysl_number px, anysl_number py,
+                    anysl_number pz, anysl_number rx, anysl_number ry, anysl_number rz) {
   double P[3] = {px, py, pz}, R[3] = {rx, ry, rz};
-  return anysl_float(args->services->trace_distance
-                         ? args->services->trace_distance(args->renderer, args, point, P, R)
-                         : farAway);
+  return anysl_number(args->services->trace_distance
+                          ? args->services->trace_distance(args->renderer, args, point, P, R)
+                          : farAway);
 }
 
 } // namespace
 
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
-  anysl_color color;
-  scalarTrace(context->args, context->point, P->x, P->y, P->z, R->x, R->y, R->z, &color.r, &color.g,
-              &color.b);
-  *result = color;
+  anysl_number r, g, b;
+  scalarTrace(context->args, context->point, valueOf(P->x), valueOf(P->y), valueOf(P->z),
+              valueOf(R->x), valueOf(R->y), valueOf(R->z), &r, &g, &b);
+  *result = {r, g, b};
 }
 
 void anysl_trace_float(anysl_float *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
-  *result = scalarTraceDistance(context->args, context->point, P->x, P->y, P->z, R->x, R->y, R->z);
+  *result = scalarTraceDistance(context->args, context->point, valueOf(P->x), valueOf(P->y),
+                                valueOf(P->z), valueOf(R->x), valueOf(R->y), valueOf(R->z));
 }
 
 void anysl_transmission(anysl_color *result, anysl_context *context, const anysl_point *from,
                         const anysl_point *to) {
-  anysl_color color;
-  scalarTransmission(context->args, context->point, from->x, from->y, from->z, to->x, to->y, to->z,
-                     &color.r, &color.g, &color.b);
-  *result = color;
+  anysl_number r, g, b;
+  scalarTransmission(context->args, context->point, valueOf(from->x), valueOf(from->y),
+                     valueOf(from->z), valueOf(to->x), valueOf(to->y), valueOf(to->z), &r, &g, &b);
+  *result = {r, g, b};
 }

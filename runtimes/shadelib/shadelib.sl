@@ -7,6 +7,7 @@
 // that frontends/rsl/Builtins.def gives for the built-in function of its name and signature.
 
 #include "numbers.sl"
+#include "derivatives.sl"
 #include "geometry.sl"
 #include "color.sl"
 #include "light.sl"

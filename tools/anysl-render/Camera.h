@@ -40,6 +40,12 @@ public:
   /// wherever the place lies: also beside and behind the camera, for things seen in mirrors.
   double pixelsPerUnit(Vec3d place) const;
 
+  bool isPerspective() const { return description.perspective; }
+  /// How far the ray through the next pixel to the right, and downwards, lies from a ray: for a
+  /// perspective camera at depth 1.
+  double pixelWidth() const { return scale * (window[1] - window[0]) / description.width; }
+  double pixelHeight() const { return scale * (window[2] - window[3]) / description.height; }
+
   int width() const { return description.width; }
   int height() const { return description.height; }
   /// The part of the picture that is rendered, in pixels: [x0, x1) x [y0, y1).

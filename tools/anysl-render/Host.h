@@ -14,6 +14,7 @@
 #ifndef ANYSL_RENDER_HOST_H
 #define ANYSL_RENDER_HOST_H
 
+#include "tools/anysl-render/Footprint.h"
 #include "tools/anysl-render/Sampling.h"
 #include "tools/anysl-render/Scene.h"
 
@@ -220,6 +221,14 @@ void storeGlobals(uint64_t wanted, const SurfacePoint &point, const Ray &ray, fl
   number(ANYSL_t, ANYSL_COMPONENT_t, point.t);
   triple(ANYSL_dPdu, ANYSL_COMPONENT_dPdu, point.frame.dPdu);
   triple(ANYSL_dPdv, ANYSL_COMPONENT_dPdv, point.frame.dPdv);
+  number(ANYSL_du, ANYSL_COMPONENT_du, point.du);
+  number(ANYSL_dv, ANYSL_COMPONENT_dv, point.dv);
+  number(ANYSL_dsdu, ANYSL_COMPONENT_dsdu, point.dsdu);
+  number(ANYSL_dsdv, ANYSL_COMPONENT_dsdv, point.dsdv);
+  number(ANYSL_dtdu, ANYSL_COMPONENT_dtdu, point.dtdu);
+  number(ANYSL_dtdv, ANYSL_COMPONENT_dtdv, point.dtdv);
+  triple(ANYSL_dNdu, ANYSL_COMPONENT_dNdu, point.dNdu);
+  triple(ANYSL_dNdv, ANYSL_COMPONENT_dNdv, point.dNdv);
   number(ANYSL_alpha, ANYSL_COMPONENT_alpha, 1);
 }
 
@@ -230,9 +239,6 @@ void storeUniformGlobals(uint64_t wanted, const Scene &scene, const Store &store
     if (wanted >> global & 1)
       store(component, value);
   };
-  // Rays carry no differentials: a surface is taken to fill the picture.
-  number(ANYSL_du, ANYSL_COMPONENT_du, 1.0 / scene.camera.width());
-  number(ANYSL_dv, ANYSL_COMPONENT_dv, 1.0 / scene.camera.height());
   number(ANYSL_time, ANYSL_COMPONENT_time, scene.description.camera.shutterOpen);
   number(ANYSL_ncomps, ANYSL_COMPONENT_ncomps, 3);
   for (int k = 0; k < 3; ++k)

@@ -136,6 +136,8 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
                       (channels ? theScene.channels().globals() : 0);
     SurfacePoint point;
     geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
+    if (needed & footprintBits)
+      findFootprint(theScene.camera, depth == 0, ray.origin, ray.direction, point);
     Arena::Scope scope(state.arena);
     PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
     batch.starts.set(0, point);

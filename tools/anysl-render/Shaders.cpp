@@ -7,6 +7,9 @@
 
 #include "tools/anysl-render/Shaders.h"
 
+#include "tools/anysl-render/Footprint.h"
+#include "tools/anysl-render/Geometry.h"
+
 #include <tbb/parallel_for.h>
 
 #include <exception>
@@ -137,7 +140,12 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
     shader->shade = anysl_shader_entry(info, 0);
     shader->width = anysl_shader_widest(info);
   }
+  constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
   shader->needed = info->globals_read;
+  if (shader->needed & bits(ANYSL_dNdu, ANYSL_dNdv, ANYSL_dsdu, ANYSL_dsdv, ANYSL_dtdu, ANYSL_dtdv))
+    shader->needed |= derivativesBit;
+  if (shader->needed & footprintBits)
+    shader->needed |= bits(ANYSL_dPdu, ANYSL_dPdv);
   shader->globals = info->globals_read | info->globals_written;
   setParameters(*shader);
   return shader;

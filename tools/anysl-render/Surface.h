@@ -38,6 +38,7 @@ struct SurfacePoint {
   // Only where they are asked for:
   Vec3d dNdu, dNdv; ///< of the shading normal
   double dsdu = 0, dsdv = 0, dtdu = 0, dtdv = 0;
+  double du = 0, dv = 0; ///< the footprint of a pixel (Footprint.h)
 };
 
 /// What to find out about a hit.

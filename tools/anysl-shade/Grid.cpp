@@ -140,6 +140,17 @@ void Grid::valueAt(const Override &value, size_t point, double *result) const {
                     : value.from[c] + (value.to[c] - value.from[c]) * x;
 }
 
+/// How a global changes with u or v: as its ramp has it, else as given for the plain grid.
+void Grid::slopeAt(int global, bool byV, std::array<double, 3> plain, double *result) const {
+  auto given = globalOverrides.find(global);
+  for (uint32_t c = 0; c < anysl_global_components(global); ++c) {
+    result[c] = plain[c];
+    if (given != globalOverrides.end() && given->second.from != given->second.to)
+      result[c] =
+          given->second.alongHeight == byV ? given->second.to[c] - given->second.from[c] : 0;
+  }
+}
+
 void Grid::globalAt(int global, size_t point, double *result) const {
   auto given = globalOverrides.find(global);
   if (given != globalOverrides.end())
@@ -173,9 +184,21 @@ void Grid::globalAt(int global, size_t point, double *result) const {
   case ANYSL_t:
     return put(v);
   case ANYSL_dPdu:
-    return put(1, 0, 0);
+    return slopeAt(ANYSL_P, false, {1, 0, 0}, result);
   case ANYSL_dPdv:
-    return put(0, 1, 0);
+    return slopeAt(ANYSL_P, true, {0, 1, 0}, result);
+  case ANYSL_dsdu:
+    return slopeAt(ANYSL_s, false, {1}, result);
+  case ANYSL_dsdv:
+    return slopeAt(ANYSL_s, true, {0}, result);
+  case ANYSL_dtdu:
+    return slopeAt(ANYSL_t, false, {0}, result);
+  case ANYSL_dtdv:
+    return slopeAt(ANYSL_t, true, {1}, result);
+  case ANYSL_dNdu:
+    return slopeAt(ANYSL_N, false, {0, 0, 0}, result);
+  case ANYSL_dNdv:
+    return slopeAt(ANYSL_N, true, {0, 0, 0}, result);
   case ANYSL_du:
     return put(step(options.gridWidth));
   case ANYSL_dv:

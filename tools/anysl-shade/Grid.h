@@ -11,6 +11,7 @@
 
 #include "tools/anysl-shade/Options.h"
 #include <anysl/anysl.h>
+#include <array>
 #include <map>
 #include <memory>
 
@@ -70,6 +71,7 @@ private:
   void chooseResults();
   void valueAt(const Override &value, size_t point, double *result) const;
   void globalAt(int global, size_t point, double *result) const;
+  void slopeAt(int global, bool byV, std::array<double, 3> plain, double *result) const;
 
   Options options;
   AnyslServices services;

@@ -21,7 +21,7 @@ constexpr const char *help =
 
 Shades a grid of points without a renderer. Point (i, j) of a W x H grid has
   s = u = i/(W-1), t = v = j/(H-1) (0 where the side is 1), P = (u, v, 0),
-  dPdu = (1,0,0), dPdv = (0,1,0), N = Ng = (0,0,1), I = (0,0,-1), E = (0,0,1),
+  dPdu = (1,0,0), dPdv = (0,1,0) (a ramp of P has its own), N = Ng = (0,0,1), I = (0,0,-1), E = (0,0,1),
   Cs = Os = 1, Ci = 0, Oi = Os, du and dv the grid step (1 where the side is 1),
   time = 0, ncomps = 3, alpha = 1, Ps = P, Ns = N, everything else 0.
 

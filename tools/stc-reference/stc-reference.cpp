@@ -43,7 +43,8 @@ void printGlobals(raw_ostream &out) {
   out << "\n## Shader globals\n\n| id | name | type | storage | meaning |\n|---|---|---|---|---|\n";
   for (const GlobalVariableInfo &global : allGlobals())
     out << "| " << global.id << " | `" << global.name << "` | `" << info(global.type).name << "` | "
-        << nameOf(global.storage) << " | " << global.doc << " |\n";
+        << nameOf(global.storage) << " | " << global.doc << (global.isHidden ? " (hidden)" : "")
+        << " |\n";
 }
 
 void printEffectsAndServices(raw_ostream &out) {

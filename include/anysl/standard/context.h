@@ -43,6 +43,29 @@ inline constexpr uint32_t globalComponent[] = {
 #include <anysl/Globals.def>
 };
 
+/// The global that says how a global changes with u, and with v; `none` where there is no such.
+inline constexpr uint32_t none = ~0u;
+constexpr uint32_t derivativeByU(uint32_t id) {
+  switch (id) {
+#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
+  case ANYSL_##name:                                                                               \
+    return ANYSL_##byU;
+#include <anysl/Globals.def>
+  default:
+    return none;
+  }
+}
+constexpr uint32_t derivativeByV(uint32_t id) {
+  switch (id) {
+#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
+  case ANYSL_##name:                                                                               \
+    return ANYSL_##byV;
+#include <anysl/Globals.def>
+  default:
+    return none;
+  }
+}
+
 } // namespace anysl
 
 #endif // ANYSL_STANDARD_CONTEXT_H

@@ -7,9 +7,9 @@
 //
 // To be included where a runtime has defined, in an unnamed namespace, where a component lies:
 //
-//     anysl_float &global(const anysl_context *, uint32_t id, int component);
+//     anysl_number &global(const anysl_context *, uint32_t id, int component);
 //     template <int components>
-//     anysl_float &varying(const anysl_context *, uint32_t id, uint32_t element, int component);
+//     anysl_number &varying(const anysl_context *, uint32_t id, uint32_t element, int component);
 //     bool isWanted(const anysl_context *, uint32_t id);   // whether the host gave a parameter an
 //     array
 //
@@ -18,34 +18,52 @@
 #ifndef ANYSL_STANDARD_INPUTS_H
 #define ANYSL_STANDARD_INPUTS_H
 
+namespace {
+
+/// A component of a global, with its derivatives where the real has some.
+anysl_float loadGlobal(const anysl_context *context, uint32_t id, int component) {
+  using namespace anysl;
+  anysl_number value = global(context, id, component);
+  if constexpr (!hasDerivatives<anysl_float>)
+    return value;
+  // The number is a constant of the call, of which only one case is left.
+  uint32_t byU = derivativeByU(id), byV = derivativeByV(id);
+  if (byU != none)
+    return withDerivatives<anysl_float>(value, global(context, byU, component),
+                                        global(context, byV, component));
+  return withDerivatives<anysl_float>(value, id == ANYSL_u, id == ANYSL_v);
+}
+
+} // namespace
+
 //===-- Globals -------------------------------------------------------------------------------===//
 
 void anysl_load_global_float(anysl_float *result, anysl_context *context, uint32_t id) {
-  *result = global(context, id, 0);
+  *result = loadGlobal(context, id, 0);
 }
 
 void anysl_load_global_color(anysl_color *result, anysl_context *context, uint32_t id) {
-  *result = {global(context, id, 0), global(context, id, 1), global(context, id, 2)};
+  *result = {loadGlobal(context, id, 0), loadGlobal(context, id, 1), loadGlobal(context, id, 2)};
 }
 
 void anysl_load_global_vector(anysl_vector *result, anysl_context *context, uint32_t id) {
-  *result = {global(context, id, 0), global(context, id, 1), global(context, id, 2)};
+  *result = {loadGlobal(context, id, 0), loadGlobal(context, id, 1), loadGlobal(context, id, 2)};
 }
 
 void anysl_store_global_float(anysl_context *context, uint32_t id, const anysl_float *a) {
-  global(context, id, 0) = *a;
+  global(context, id, 0) = valueOf(*a);
 }
 
 void anysl_store_global_color(anysl_context *context, uint32_t id, const anysl_color *a) {
-  global(context, id, 0) = a->r;
-  global(context, id, 1) = a->g;
-  global(context, id, 2) = a->b;
+  global(context, id, 0) = valueOf(a->r);
+  global(context, id, 1) = valueOf(a->g);
+  global(context, id, 2) = valueOf(a->b);
 }
 
 void anysl_store_global_vector(anysl_context *context, uint32_t id, const anysl_vector *a) {
-  global(context, id, 0) = a->x;
-  global(context, id, 1) = a->y;
-  global(context, id, 2) = a->z;
+  global(context, id, 0) = valueOf(a->x);
+  global(context, id, 1) = valueOf(a->y);
+  global(context, id, 2) = valueOf(a->z);
 }
 
 //===-- Parameters ----------------------------------------------------------------------------===//
@@ -76,31 +94,32 @@ void anysl_load_varying_matrix(anysl_matrix *result, anysl_context *context, uin
 void anysl_store_varying_float(anysl_context *context, uint32_t id, uint32_t element,
                                const anysl_float *a) {
   if (isWanted(context, id))
-    varying<1>(context, id, element, 0) = *a;
+    varying<1>(context, id, element, 0) = valueOf(*a);
 }
 
 void anysl_store_varying_color(anysl_context *context, uint32_t id, uint32_t element,
                                const anysl_color *a) {
   if (!isWanted(context, id))
     return;
-  varying<3>(context, id, element, 0) = a->r;
-  varying<3>(context, id, element, 1) = a->g;
-  varying<3>(context, id, element, 2) = a->b;
+  varying<3>(context, id, element, 0) = valueOf(a->r);
+  varying<3>(context, id, element, 1) = valueOf(a->g);
+  varying<3>(context, id, element, 2) = valueOf(a->b);
 }
 
 void anysl_store_varying_vector(anysl_context *context, uint32_t id, uint32_t element,
                                 const anysl_vector *a) {
   if (!isWanted(context, id))
     return;
-  varying<3>(context, id, element, 0) = a->x;
-  varying<3>(context, id, element, 1) = a->y;
-  varying<3>(context, id, element, 2) = a->z;
+  varying<3>(context, id, element, 0) = valueOf(a->x);
+  varying<3>(context, id, element, 1) = valueOf(a->y);
+  varying<3>(context, id, element, 2) = valueOf(a->z);
 }
 
 void anysl_store_varying_matrix(anysl_context *context, uint32_t id, uint32_t element,
                                 const anysl_matrix *a) {
   if (isWanted(context, id))
-    anysl::repeat<16>([&](auto k) { varying<16>(context, id, element, k) = a->m[k / 4][k % 4]; });
+    anysl::repeat<16>(
+        [&](auto k) { varying<16>(context, id, element, k) = valueOf(a->m[k / 4][k % 4]); });
 }
 
 #endif // ANYSL_STANDARD_INPUTS_H

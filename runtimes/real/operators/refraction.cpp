@@ -22,40 +22,51 @@ using namespace anysl;
 namespace {
 
 /// high + low += x, with what the sum rounds away going into low.
-void accumulate(anysl_float &high, anysl_float &low, anysl_float x) {
-  anysl_float sum = high + x;
-  anysl_float part = sum - high;
+void accumulate(anysl_number &high, anysl_number &low, anysl_number x) {
+  anysl_number sum = high + x;
+  anysl_number part = sum - high;
   low = low + ((high - (sum - part)) + (x - part));
   high = sum;
 }
 
 /// high + low += a b.
-void accumulateProduct(anysl_float &high, anysl_float &low, anysl_float a, anysl_float b) {
-  anysl_float product = a * b;
+void accumulateProduct(anysl_number &high, anysl_number &low, anysl_number a, anysl_number b) {
+  anysl_number product = a * b;
   accumulate(high, low, product);
   low = low + fusedMultiplyAdd(a, b, -product);
 }
 
-/// c = I.N, and k. Negative k means that no light passes. An infinite eta gives NaN, and means the
-/// same.
-void boundary(const anysl_vector &I, const anysl_vector &N, anysl_float eta, anysl_float &c,
-              anysl_float &k) {
-  anysl_float cLow(0);
-  c = anysl_float(0);
-  accumulateProduct(c, cLow, I.x, N.x);
-  accumulateProduct(c, cLow, I.y, N.y);
-  accumulateProduct(c, cLow, I.z, N.z);
+/// The values of c = I.N, and of k.
+void boundaryValues(const anysl_vector &I, const anysl_vector &N, anysl_number eta, anysl_number &c,
+                    anysl_number &k) {
+  anysl_number cLow(0);
+  c = anysl_number(0);
+  accumulateProduct(c, cLow, valueOf(I.x), valueOf(N.x));
+  accumulateProduct(c, cLow, valueOf(I.y), valueOf(N.y));
+  accumulateProduct(c, cLow, valueOf(I.z), valueOf(N.z));
   // Where the products cancel, the carried error is no longer small beside their sum.
-  anysl_float sum = c + cLow;
+  anysl_number sum = c + cLow;
   cLow = cLow - (sum - c);
   c = sum;
 
-  anysl_float t = eta * c, tLow = fusedMultiplyAdd(eta, c, -t) + eta * cLow;
-  anysl_float kLow(0);
-  k = anysl_float(1);
+  anysl_number t = eta * c, tLow = fusedMultiplyAdd(eta, c, -t) + eta * cLow;
+  anysl_number kLow(0);
+  k = anysl_number(1);
   accumulateProduct(k, kLow, -eta, eta);
   accumulateProduct(k, kLow, t, t);
   k = k + (kLow + 2 * t * tLow);
+}
+
+/// c = I.N, and k. Negative k means that no light passes. An infinite eta gives NaN, and means the
+/// same.
+void boundary(const anysl_vector &I, const anysl_vector &N, const anysl_float &eta, anysl_float &c,
+              anysl_float &k) {
+  anysl_number cValue, kValue;
+  boundaryValues(I, N, valueOf(eta), cValue, kValue);
+  // Derivatives are as exact by the plain formula.
+  c = withValue(cValue, dot(I, N));
+  anysl_float t = eta * c;
+  k = withValue(kValue, t * t - eta * eta);
 }
 
 /// eta I - (eta c + sqrt(k)) N, or the zero vector.

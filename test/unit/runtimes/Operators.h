@@ -52,10 +52,11 @@ auto call(const P &...operands) {
   return apply(use<Op>(), operands...);
 }
 
-inline constexpr Real infinite = std::numeric_limits<Real>::infinity();
-inline constexpr Real notANumber = std::numeric_limits<Real>::quiet_NaN();
-inline constexpr Real largest = std::numeric_limits<Real>::max();
-inline constexpr Real spacing = std::numeric_limits<Real>::epsilon();
+using Limits = std::numeric_limits<anysl_number>;
+inline constexpr anysl_number infinite = Limits::infinity();
+inline constexpr anysl_number notANumber = Limits::quiet_NaN();
+inline constexpr anysl_number largest = Limits::max();
+inline constexpr anysl_number spacing = Limits::epsilon();
 
 /// `value` to within some units in the last place.
 inline Catch::Detail::Approx near(double value, double units = 8) {
@@ -63,22 +64,22 @@ inline Catch::Detail::Approx near(double value, double units = 8) {
 }
 
 inline void checkVector(const anysl_vector &v, double x, double y, double z, double units = 8) {
-  CHECK(v.x == near(x, units));
-  CHECK(v.y == near(y, units));
-  CHECK(v.z == near(z, units));
+  CHECK(anysl::valueOf(v.x) == near(x, units));
+  CHECK(anysl::valueOf(v.y) == near(y, units));
+  CHECK(anysl::valueOf(v.z) == near(z, units));
 }
 
 inline void checkColor(const anysl_color &c, double r, double g, double b, double units = 8) {
-  CHECK(c.r == near(r, units));
-  CHECK(c.g == near(g, units));
-  CHECK(c.b == near(b, units));
+  CHECK(anysl::valueOf(c.r) == near(r, units));
+  CHECK(anysl::valueOf(c.g) == near(g, units));
+  CHECK(anysl::valueOf(c.b) == near(b, units));
 }
 
 inline void checkMatrix(const anysl_matrix &m, const double (&expected)[4][4], double units = 16) {
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
       INFO("row " << row << " column " << column);
-      CHECK(m.m[row][column] == near(expected[row][column], units));
+      CHECK(anysl::valueOf(m.m[row][column]) == near(expected[row][column], units));
     }
 }
 

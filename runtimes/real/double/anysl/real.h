@@ -9,6 +9,7 @@
 #define ANYSL_REAL_H
 
 using anysl_float = double;
+using anysl_number = double;
 
 #include <anysl/ieee.h>
 

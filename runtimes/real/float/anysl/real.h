@@ -9,6 +9,7 @@
 #define ANYSL_REAL_H
 
 using anysl_float = float;
+using anysl_number = float;
 
 #include <anysl/ieee.h>
 
