@@ -80,6 +80,10 @@ struct Dual {
     return *this;
   }
 
+  /// The value alone.
+  explicit operator float() const { return float(value); }
+  explicit operator double() const { return double(value); }
+
   friend Dual operator-(const Dual &a) { return {-a.value, -a.u, -a.v}; }
   friend Dual operator+(const Dual &a, const Dual &b) {
     return {a.value + b.value, slopes::sum(a.u, b.u), slopes::sum(a.v, b.v)};

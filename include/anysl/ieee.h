@@ -176,22 +176,6 @@ inline Real withValue(Real value, Real) {
   return value;
 }
 
-//===-- Derivatives ---------------------------------------------------------------------------===//
-// A plain number has none.
-
-template <typename Real>
-inline Real valueOf(Real x) {
-  return x;
-}
-template <typename Real>
-inline Real derivativeU(Real) {
-  return 0;
-}
-template <typename Real>
-inline Real derivativeV(Real) {
-  return 0;
-}
-
 } // namespace anysl
 
 #endif // ANYSL_IEEE_H

@@ -74,23 +74,6 @@ Function *hookNamed(Session &session, StringRef root, StringRef hook) {
   return function;
 }
 
-/// Where numbers carry derivatives, a runtime takes those of a global from other globals.
-void addDerivativeInputs(Shader &shader) {
-  uint64_t inputs = 0;
-  for (const stc::GlobalInfo &global : shader.info.globals)
-    if (global.read)
-      for (unsigned id : stc::derivativesOf(global.id))
-        inputs |= uint64_t(1) << id;
-  for (stc::GlobalInfo &global : shader.info.globals)
-    if (inputs >> global.id & 1) {
-      global.read = true;
-      inputs &= ~(uint64_t(1) << global.id);
-    }
-  for (const stc::GlobalVariableInfo &global : stc::allGlobals())
-    if (inputs >> global.id & 1)
-      shader.info.globals.push_back({global.id, /*read=*/true, /*written=*/false});
-}
-
 /// The effects and services of the operators that the shader reaches, and their names.
 void noteOperators(Shader &shader) {
   // The stage `lower` has yet to come: structural operators are declarations.
@@ -136,8 +119,6 @@ bool bindShaders(Session &session) {
   if (!body || !init)
     return false;
   for (Shader &shader : session.shaders) {
-    if (carriesDerivatives(module))
-      addDerivativeInputs(shader);
     noteOperators(shader);
     shader.point = bindShader(*module.getFunction(pointName), *body, *shader.info.body,
                               shader.symbol + ".point");

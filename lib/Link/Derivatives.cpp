@@ -19,11 +19,47 @@
 using namespace llvm;
 
 namespace anysl::link {
+namespace {
+
+void addInput(Shader &shader, const stc::GlobalVariableInfo &global) {
+  auto known = find_if(shader.info.globals,
+                       [&](const stc::GlobalInfo &entry) { return entry.id == global.id; });
+  if (known == shader.info.globals.end())
+    shader.info.globals.push_back({global.id, /*read=*/true, /*written=*/false});
+  else if (known->read)
+    return;
+  else
+    known->read = true;
+  shader.report.globalsRead.push_back(global.name.str());
+}
+
+} // namespace
 
 bool carriesDerivatives(const Module &module) {
   const GlobalVariable *number = module.getNamedGlobal("anysl_type_float");
   auto *type = number ? dyn_cast<StructType>(number->getValueType()) : nullptr;
   return type && type->getNumElements() > 1;
+}
+
+void resolveDerivativeInputs(Session &session) {
+  uint32_t component = 0;
+  for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
+    uint32_t first = component;
+    component += global.components;
+    GlobalVariable *place =
+        session.module->getNamedGlobal((derivativeInputPrefix + global.name).str());
+    if (!place)
+      continue;
+    for (Shader &shader : session.shaders)
+      if (any_of(place->users(), [&](const User *user) {
+            auto *instruction = dyn_cast<Instruction>(user);
+            return instruction && instruction->getFunction() == shader.point;
+          }))
+        addInput(shader, global);
+    place->setInitializer(ConstantInt::get(place->getValueType(), first));
+    place->setLinkage(GlobalValue::InternalLinkage);
+    place->setConstant(true);
+  }
 }
 
 void relaxDerivatives(Module &module) {

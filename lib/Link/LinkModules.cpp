@@ -107,7 +107,8 @@ private:
   }
 
   void request(StringRef name, const Origin &origin) {
-    if (name.starts_with("llvm.") || name == "anysl_shader_body" || name == "anysl_shader_init")
+    if (name.starts_with("llvm.") || name == "anysl_shader_body" || name == "anysl_shader_init" ||
+        name.starts_with(derivativeInputPrefix))
       return;
     const stc::OpInfo *op = stc::opOfSymbol(name);
     if (op && op->purity == stc::Purity::Structural)
@@ -194,14 +195,13 @@ private:
 
   /// Nobody defines an operator that a renderer may decline.
   void declinedOp(const stc::OpInfo &op, const Origin &origin) {
-    static constexpr WarningGroup Declined{"declined", true};
     std::string message =
         "runtime '" + session.options.runtime + "' does not offer '" + op.name.str() + "'";
     if (!origin.shader.empty())
       message += " (shader '" + origin.shader + "')";
     if (session.options.declineIsError)
       return fail(origin.position, message);
-    session.diags.warning(origin.position, Declined, message + ": " + neutralMeaning(op.op));
+    declined.push_back({origin.position, (message + ": " + neutralMeaning(op.op)).str()});
     if (!neutralOps) {
       std::unique_ptr<Module> module = makeNeutralOps(session.context);
       neutralOps = module.get();
@@ -237,10 +237,14 @@ private:
   StringSet<> variants;
   Module *neutralOps = nullptr; ///< made where something is declined
   std::optional<Origin> derivative;
+  std::vector<std::pair<FilePosition, std::string>> declined; ///< warnings, if this is merged
   bool good = true;
 };
 
 bool ModuleLinker::merge() {
+  static constexpr WarningGroup Declined{"declined", true};
+  for (const auto &[position, message] : declined)
+    session.diags.warning(position, Declined, message);
   session.module = std::make_unique<Module>("anysl", session.context);
   session.module->setDataLayout(session.target.createDataLayout());
   session.module->setTargetTriple(session.target.getTargetTriple().str());

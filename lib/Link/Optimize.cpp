@@ -112,6 +112,12 @@ bool optimize(Session &session) {
   }
   relaxDerivatives(module);
   inlineAndSimplify(module, session.target);
+  if (carriesDerivatives(module)) {
+    if (splitArrays(module))
+      simplifyAgain(module, session.target);
+    resolveDerivativeInputs(session);
+    simplifyAgain(module, session.target);
+  }
   keepArithmetic(module);
   for (Shader &shader : session.shaders) {
     markInvariants(*shader.point);

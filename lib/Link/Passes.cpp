@@ -106,6 +106,14 @@ void inlineAndSimplify(Module &module, TargetMachine &target) {
   passes.run(module, analyses.get());
 }
 
+void simplifyAgain(Module &module, TargetMachine &target) {
+  Analyses analyses(module, &target);
+  ModulePassManager passes;
+  passes.addPass(createModuleToFunctionPassAdaptor(simplifyWhole()));
+  passes.addPass(GlobalDCEPass());
+  passes.run(module, analyses.get());
+}
+
 void removeUnused(Module &module) {
   ModuleAnalysisManager analyses;
   PassInstrumentationCallbacks callbacks;

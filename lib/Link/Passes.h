@@ -23,6 +23,9 @@ namespace anysl::link {
 /// is taken for one of the C library's.
 void inlineAndSimplify(llvm::Module &module, llvm::TargetMachine &target);
 
+/// Simplifies each function once more.
+void simplifyAgain(llvm::Module &module, llvm::TargetMachine &target);
+
 /// Removes what nothing refers to, and merges what is constant twice.
 void removeUnused(llvm::Module &module);
 

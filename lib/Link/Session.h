@@ -99,6 +99,18 @@ bool carriesDerivatives(const llvm::Module &module);
 void relaxDerivatives(llvm::Module &module);
 void keepArithmetic(llvm::Module &module);
 
+/// With a global's name behind it, the variable by which the standard runtimes find the global's
+/// first component, if they want a derivative of it.
+inline constexpr llvm::StringLiteral derivativeInputPrefix = "anysl_derivative_input_";
+
+/// Enters the globals from which derivatives are still read among the shaders' inputs, and tells
+/// the runtime's code where they lie.
+void resolveDerivativeInputs(Session &session);
+
+/// Gives the values and the derivatives of each array an array of their own. Says whether there was
+/// any.
+bool splitArrays(llvm::Module &module);
+
 /// Reports recursion among what a function calls; there is no stack for it where shaders run, and
 /// inlining would not end. Gives false if there is any.
 bool refuseRecursion(Session &session, llvm::Function &root);

@@ -16,10 +16,9 @@ using namespace anysl;
 
 namespace {
 
-anysl_number &global(const anysl_context *context, uint32_t id, int component) {
-  auto *array =
-      static_cast<anysl_number *>(context->args->globals[globalComponent[id] + component]);
-  return array[size_t(context->point) * globalStep[id]];
+anysl_number &number(const anysl_context *context, uint32_t component, uint32_t step) {
+  auto *array = static_cast<anysl_number *>(context->args->globals[component]);
+  return array[size_t(context->point) * step];
 }
 
 /// Component number `component` of an element of a parameter given point by point, where a type has

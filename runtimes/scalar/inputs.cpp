@@ -15,9 +15,9 @@ using namespace anysl;
 
 namespace {
 
-anysl_number &global(const anysl_context *context, uint32_t id, int component) {
+anysl_number &number(const anysl_context *context, uint32_t component, uint32_t) {
   auto *points = static_cast<anysl_number *>(context->args->globals[0]);
-  return points[size_t(context->point) * ANYSL_COMPONENT_COUNT + globalComponent[id] + component];
+  return points[size_t(context->point) * ANYSL_COMPONENT_COUNT + component];
 }
 
 /// Component number `component` of an element of a parameter given point by point, where a type has

@@ -340,7 +340,7 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
     SurfacePoint point;
     geometry.evaluate(rays.hitOf(members.numbers[i]), ray.origin, ray.direction, needed, point);
     if (needed & footprintBits)
-      findFootprint(theScene.camera, depth == 0, ray.origin, ray.direction, point);
+      findFootprint(theScene.camera, members.depth == 0, ray.origin, ray.direction, point);
     starts.set(i, point);
     depths[i] = float(point.frame.P.z);
     globals.set(i, wanted, point, ray, ray.travelled);

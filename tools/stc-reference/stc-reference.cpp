@@ -10,6 +10,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/STC/Shader.h"
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/raw_ostream.h"
 
 using namespace llvm;
@@ -40,11 +41,16 @@ void printTypes(raw_ostream &out) {
 }
 
 void printGlobals(raw_ostream &out) {
-  out << "\n## Shader globals\n\n| id | name | type | storage | meaning |\n|---|---|---|---|---|\n";
-  for (const GlobalVariableInfo &global : allGlobals())
+  out << "\n## Shader globals\n\n"
+         "| id | name | type | storage | by u, by v | meaning |\n|---|---|---|---|---|---|\n";
+  for (const GlobalVariableInfo &global : allGlobals()) {
     out << "| " << global.id << " | `" << global.name << "` | `" << info(global.type).name << "` | "
-        << nameOf(global.storage) << " | " << global.doc << (global.isHidden ? " (hidden)" : "")
-        << " |\n";
+        << nameOf(global.storage) << " |";
+    ListSeparator separator(",");
+    for (unsigned id : derivativesOf(global.id))
+      out << separator << " `" << globalNumbered(id)->name << '`';
+    out << " | " << global.doc << (global.isHidden ? " (hidden)" : "") << " |\n";
+  }
 }
 
 void printEffectsAndServices(raw_ostream &out) {

@@ -24,6 +24,17 @@ struct anysl_context {
   uint32_t random;
 };
 
+extern "C" {
+
+/// The first component of each global that says how another one changes with u or v. The linker,
+/// which defines these, asks the host for such a global only if its variable is still read in the
+/// end.
+#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
+  extern const uint32_t anysl_derivative_input_##byU, anysl_derivative_input_##byV;
+#include <anysl/Globals.def>
+
+} // extern "C"
+
 namespace anysl {
 
 /// How many points further the value of each global is that belongs to the next point: 0 for a
@@ -42,29 +53,6 @@ inline constexpr uint32_t globalComponent[] = {
 #define ANYSL_GLOBAL(id, name, type, components, storage, doc) ANYSL_COMPONENT_##name,
 #include <anysl/Globals.def>
 };
-
-/// The global that says how a global changes with u, and with v; `none` where there is no such.
-inline constexpr uint32_t none = ~0u;
-constexpr uint32_t derivativeByU(uint32_t id) {
-  switch (id) {
-#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
-  case ANYSL_##name:                                                                               \
-    return ANYSL_##byU;
-#include <anysl/Globals.def>
-  default:
-    return none;
-  }
-}
-constexpr uint32_t derivativeByV(uint32_t id) {
-  switch (id) {
-#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
-  case ANYSL_##name:                                                                               \
-    return ANYSL_##byV;
-#include <anysl/Globals.def>
-  default:
-    return none;
-  }
-}
 
 } // namespace anysl
 

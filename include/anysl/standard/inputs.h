@@ -5,9 +5,10 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// To be included where a runtime has defined, in an unnamed namespace, where a component lies:
+// To be included where a runtime has defined, in an unnamed namespace, where a component lies of
+// the globals (step 0: one number serves all points) and of a parameter:
 //
-//     anysl_number &global(const anysl_context *, uint32_t id, int component);
+//     anysl_number &number(const anysl_context *, uint32_t component, uint32_t step);
 //     template <int components>
 //     anysl_number &varying(const anysl_context *, uint32_t id, uint32_t element, int component);
 //     bool isWanted(const anysl_context *, uint32_t id);   // whether the host gave a parameter an
@@ -20,18 +21,29 @@
 
 namespace {
 
-/// A component of a global, with its derivatives where the real has some.
+anysl_number &globalNumber(const anysl_context *context, uint32_t id, int component) {
+  return number(context, anysl::globalComponent[id] + uint32_t(component), anysl::globalStep[id]);
+}
+
+/// Component `component` of the global `id`, with its derivatives where the real has some.
 anysl_float loadGlobal(const anysl_context *context, uint32_t id, int component) {
   using namespace anysl;
-  anysl_number value = global(context, id, component);
-  if constexpr (!hasDerivatives<anysl_float>)
+  anysl_number value = globalNumber(context, id, component);
+  if constexpr (hasDerivatives<anysl_float>) {
+    auto derivative = [&](const uint32_t &first) { return number(context, first + component, 1); };
+    // The number of a global is a constant of the call, of which one case is left.
+    switch (id) {
+#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
+  case ANYSL_##name:                                                                               \
+    return withDerivatives<anysl_float>(value, derivative(anysl_derivative_input_##byU),           \
+                                        derivative(anysl_derivative_input_##byV));
+#include <anysl/Globals.def>
+    default:
+      return withDerivatives<anysl_float>(value, id == ANYSL_u, id == ANYSL_v);
+    }
+  } else {
     return value;
-  // The number is a constant of the call, of which only one case is left.
-  uint32_t byU = derivativeByU(id), byV = derivativeByV(id);
-  if (byU != none)
-    return withDerivatives<anysl_float>(value, global(context, byU, component),
-                                        global(context, byV, component));
-  return withDerivatives<anysl_float>(value, id == ANYSL_u, id == ANYSL_v);
+  }
 }
 
 } // namespace
@@ -51,19 +63,19 @@ void anysl_load_global_vector(anysl_vector *result, anysl_context *context, uint
 }
 
 void anysl_store_global_float(anysl_context *context, uint32_t id, const anysl_float *a) {
-  global(context, id, 0) = valueOf(*a);
+  globalNumber(context, id, 0) = valueOf(*a);
 }
 
 void anysl_store_global_color(anysl_context *context, uint32_t id, const anysl_color *a) {
-  global(context, id, 0) = valueOf(a->r);
-  global(context, id, 1) = valueOf(a->g);
-  global(context, id, 2) = valueOf(a->b);
+  globalNumber(context, id, 0) = valueOf(a->r);
+  globalNumber(context, id, 1) = valueOf(a->g);
+  globalNumber(context, id, 2) = valueOf(a->b);
 }
 
 void anysl_store_global_vector(anysl_context *context, uint32_t id, const anysl_vector *a) {
-  global(context, id, 0) = valueOf(a->x);
-  global(context, id, 1) = valueOf(a->y);
-  global(context, id, 2) = valueOf(a->z);
+  globalNumber(context, id, 0) = valueOf(a->x);
+  globalNumber(context, id, 1) = valueOf(a->y);
+  globalNumber(context, id, 2) = valueOf(a->z);
 }
 
 //===-- Parameters ----------------------------------------------------------------------------===//
