@@ -37,8 +37,8 @@ void illuminance(anysl_context *context, const anysl_point &P, const anysl_norma
   anysl_float rightAngle(1.57079632679489662);
   for (int32_t i = 0, count = anysl_light_count(context); i < count; ++i) {
     anysl_vector L;
-    anysl_color Cl;
-    if (anysl_light_sample(context, i, &P, &L, &Cl) && anysl_in_cone(&L, &N, &rightAngle))
+    anysl_color Cl, Ol;
+    if (anysl_light_sample(context, i, &P, &N, &L, &Cl, &Ol) && anysl_in_cone(&L, &N, &rightAngle))
       body(i, L, Cl);
   }
 }
@@ -60,11 +60,11 @@ void anysl_shader_body(anysl_context *context) {
 
   anysl_color diffuse = {}, specular = {};
   illuminance(context, P, Nf, [&](int32_t light, const anysl_vector &L, const anysl_color &Cl) {
-    if (!anysl_light_is_nondiffuse(context, light))
+    if (!anysl_light_is_nondiffuse(context, light, &P, &Nf))
       add(diffuse, Cl * largerOf(0, dot(normalize(L), Nf)));
   });
   illuminance(context, P, Nf, [&](int32_t light, const anysl_vector &L, const anysl_color &Cl) {
-    if (anysl_light_is_nonspecular(context, light))
+    if (anysl_light_is_nonspecular(context, light, &P, &Nf))
       return;
     anysl_float c = dot(Nf, normalize(normalize(L) + V));
     c = smallerOf(largerOf(c, 0), 1);
@@ -72,7 +72,8 @@ void anysl_shader_body(anysl_context *context) {
   });
 
   anysl_color sum, Cs = colorOf<ANYSL_Cs>(context), Os = colorOf<ANYSL_Os>(context), tint;
-  anysl_ambient(&sum, context);
+  anysl_normal given = vectorOf<ANYSL_N>(context);
+  anysl_ambient(&sum, context, &P, &given);
   sum = sum * numberOf(context, Ka);
   add(sum, diffuse * numberOf(context, Kd));
   sum = Cs * sum;

@@ -362,6 +362,12 @@ struct ReturnStmt : Stmt {
   static bool classof(const Stmt *s) { return s->kind == StmtKind::Return; }
 };
 
+/// "light:NAME", variable behind the other arguments of illuminance: a parameter of each light.
+struct LightMessage {
+  llvm::StringRef name;
+  Expr *variable;
+};
+
 /// illuminance, illuminate and solar. Sema sorts the arguments into the named ones.
 struct LightStmt : Stmt {
   llvm::MutableArrayRef<Expr *> args;
@@ -370,6 +376,7 @@ struct LightStmt : Stmt {
   Expr *position = nullptr;
   Expr *axis = nullptr;
   Expr *angle = nullptr;
+  llvm::ArrayRef<LightMessage> messages;
   LightStmt(StmtKind kind, SMLoc loc, llvm::MutableArrayRef<Expr *> args, Stmt *body)
       : Stmt(kind, loc), args(args), body(body) {}
   static bool classof(const Stmt *s) {

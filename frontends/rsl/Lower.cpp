@@ -109,7 +109,8 @@ void Lowering::loadUniformParam(const stc::ParamInfo &info, Value *slot) {
 /// A varying parameter comes point by point where the host has bound it, else from its cells, or
 /// from a default that differs from point to point.
 void Lowering::loadParam(const VarDecl &param, const stc::ParamInfo &info, Value *slot) {
-  if (info.storage == stc::Storage::Uniform)
+  // Texts are never given point by point.
+  if (info.storage == stc::Storage::Uniform || info.type == stc::Type::stringTy)
     return loadUniformParam(info, slot);
   Value *isBound = b.call(Op::param_is_bound, {b.context(), b.id(param.id)});
   BasicBlock *bound = b.block("bound"), *unbound = b.block("unbound"), *join = b.block("loaded");
@@ -159,10 +160,11 @@ void Lowering::storeOutputs(const ShaderDecl &shader, const stc::ShaderInfo &inf
     b.call(store, {b.context(), b.id(id), globalSlot(id)});
   }
   for (const VarDecl *param : shader.params) {
-    if (!param->isOutput || param->type.kind == TypeKind::String)
+    if (!param->isOutput)
       continue;
-    Op store = param->type.kind == TypeKind::Matrix
-                   ? Op::store_varying_matrix
+    Op store = param->type.kind == TypeKind::Matrix ? Op::store_varying_matrix
+               : param->type.kind == TypeKind::String
+                   ? Op::store_varying_string
                    : opFor(param->type.kind, Op::store_varying_float, Op::store_varying_color,
                            Op::store_varying_vector);
     Value *slot = paramSlot(*param);
@@ -196,7 +198,7 @@ void Lowering::beginBody() {
   writtenGlobals.clear();
   usedParams.clear();
   loops.clear();
-  lightIndex = nullptr;
+  currentLight = {};
   resultSlot = nullptr;
   resultType = {TypeKind::Void};
   exitBlock = returnBlock = nullptr;
@@ -260,7 +262,7 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
   info.body = b.beginFunction(symbol);
   beginBody();
   for (const VarDecl *param : shader.params)
-    if (param->isOutput && param->type.kind != TypeKind::String)
+    if (param->isOutput)
       paramSlot(*param);
   exitBlock = b.block("exit");
   returnBlock = exitBlock;
@@ -268,6 +270,9 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
   at(shader.body->end);
   branchTo(exitBlock);
   continueIn(exitBlock);
+  if (shader.type == ShaderType::Light)
+    finishLight();
+  exitBlock = builder().GetInsertBlock();
   storeOutputs(shader, info);
   builder().CreateRetVoid();
 
@@ -286,6 +291,8 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
   for (auto [id, slot] : globals) {
     bool isRead = mayReadBeforeWrite(slot);
     bool isWritten = writtenGlobals.count(id);
+    if (isRead && shader.type == ShaderType::Light && startLightResult(id, slot))
+      isRead = false;
     info.globals.push_back({id, isRead, isWritten});
     if (isRead)
       loadGlobal(id, slot);

@@ -122,9 +122,12 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
       values.push_back(nullptr); // its type is the operator's
       break;
     case BuiltinOperand::Light:
-      if (!lightIndex)
+      if (!currentLight.index) {
         diags.error(call.loc, "'" + call.name + "' exists only inside of 'illuminance'");
-      values.push_back(lightIndex ? lightIndex : b.index(0));
+        return b.ir().getFalse();
+      }
+      llvm::append_range(values, ArrayRef<Value *>{currentLight.index, currentLight.position,
+                                                   currentLight.normal});
       break;
     case BuiltinOperand::Named:
       values.push_back(lowerNamed(call, operand));
@@ -197,23 +200,14 @@ Value *Lowering::callComponentWise(const CallExpr &call) {
   return components[0];
 }
 
-/// The flags of the light at hand are known; every other question has no answer.
+/// The light at hand knows its parameters; every other question has no answer.
 Value *Lowering::callQuery(const CallExpr &call) {
-  auto *name = dyn_cast<StringExpr>(call.args[0]);
-  bool isNondiffuse = name && name->value == "__nondiffuse";
-  bool isNonspecular = name && name->value == "__nonspecular";
-  if (!name)
+  if (call.name == "lightsource")
+    return callLightSource(call);
+  if (!isa<StringExpr>(call.args[0]))
     lower(call.args[0]);
   at(call.loc);
-  if (call.name != "lightsource" || !lightIndex || !(isNondiffuse || isNonspecular))
-    return number(0);
-  Place target = place(call.args[1]);
-  Value *flag = temporary({TypeKind::Float});
-  b.call(Op::float_from_test,
-         {flag, b.call(isNondiffuse ? Op::light_is_nondiffuse : Op::light_is_nonspecular,
-                       {b.context(), lightIndex})});
-  store(target, flag);
-  return number(1);
+  return number(0);
 }
 
 /// Expands a function in place.

@@ -13,8 +13,6 @@ namespace anysl::rsl {
 
 using stc::Op;
 
-static constexpr WarningGroup LightCategory{"light-category", true};
-
 void Lowering::branchTo(BasicBlock *block) {
   if (isOpen())
     builder().CreateBr(block);
@@ -172,120 +170,6 @@ void Lowering::lowerReturn(const ReturnStmt &stmt) {
       copy(resultType, resultSlot, value);
   }
   branchTo(returnBlock);
-}
-
-/// illuminance runs its body for each light that reaches the point, inside of the cone if there is
-/// one:
-///
-///     for (i = 0; i < light_count(); ++i)
-///       if (light_sample(i, P, L, Cl) & in_cone(L, axis, angle)) { light_shadow(i, P, Cl); body }
-void Lowering::lowerIlluminance(const LightStmt &stmt) {
-  if (!hasContext(stmt.loc))
-    return;
-  BasicBlock *skip = nullptr;
-  if (stmt.category) {
-    // The lights that a runtime gives belong to no category: "" and "-anything" fit them.
-    if (auto *name = dyn_cast<StringExpr>(stmt.category)) {
-      if (!name->value.empty() && !name->value.starts_with("-")) {
-        diags
-            .warning(name->loc, LightCategory,
-                     "no light belongs to a category; the body never runs")
-            .range(name->range);
-        return;
-      }
-    } else {
-      BasicBlock *run = b.block("anycategory");
-      skip = b.block("category.end");
-      branchIf(b.call(Op::eq_string, {lower(stmt.category), text("")}), run, skip);
-      continueIn(run);
-    }
-  }
-  Value *position = lowerLasting(stmt.position);
-  Value *axis = lowerLasting(stmt.axis);
-  Value *angle = lowerLasting(stmt.angle);
-  at(stmt.loc);
-  Value *count = b.call(Op::light_count, {b.context()});
-  Value *direction = temporary({TypeKind::Vector, true}, "L");
-  Value *light = temporary({TypeKind::Color, true}, "Cl");
-
-  BasicBlock *before = builder().GetInsertBlock();
-  BasicBlock *head = b.block("lights"), *sample = b.block("light.sample"),
-             *body = b.block("light.body"), *step = b.block("light.next"),
-             *end = b.block("lights.end");
-  branchTo(head);
-  continueIn(head);
-  PHINode *index = builder().CreatePHI(builder().getInt32Ty(), 2, "light");
-  index->addIncoming(b.index(0), before);
-  branchIf(builder().CreateICmpULT(index, count), sample, end);
-  continueIn(sample);
-  Value *reaches = b.call(Op::light_sample, {b.context(), index, position, direction, light});
-  if (axis)
-    reaches = builder().CreateAnd(reaches, b.call(Op::in_cone, {direction, axis, angle}));
-  branchIf(reaches, body, step);
-
-  continueIn(body);
-  b.call(Op::light_shadow, {b.context(), index, position, light});
-  std::map<unsigned, Value *> outerGlobals = lightGlobals;
-  for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
-    if (global.name == "L")
-      lightGlobals[global.id] = direction;
-    if (global.name == "Cl")
-      lightGlobals[global.id] = light;
-  }
-  Value *outerIndex = std::exchange(lightIndex, index);
-  loops.push_back({end, step});
-  lower(stmt.body);
-  loops.pop_back();
-  lightIndex = outerIndex;
-  lightGlobals = std::move(outerGlobals);
-  at(stmt.loc);
-  branchTo(step);
-  continueIn(step);
-  index->addIncoming(builder().CreateAdd(index, b.index(1)), step);
-  branchTo(head);
-  continueIn(end);
-  if (skip) {
-    branchTo(skip);
-    continueIn(skip);
-  }
-}
-
-/// illuminate and solar set L and run their body where the light goes; elsewhere there is none.
-void Lowering::lowerIlluminate(const LightStmt &stmt) {
-  auto globalNumber = [](StringRef name) {
-    for (const stc::GlobalVariableInfo &global : stc::allGlobals())
-      if (global.name == name)
-        return global.id;
-    llvm_unreachable("Globals.def lacks a light's variable");
-  };
-  Type vector{TypeKind::Vector, true}, color{TypeKind::Color, true};
-  unsigned direction = globalNumber("L"), light = globalNumber("Cl");
-  writtenGlobals.insert(direction);
-  writtenGlobals.insert(light);
-  Value *axis = lowerLasting(stmt.axis);
-  Value *angle = lowerLasting(stmt.angle);
-  Value *to = temporary(vector);
-  if (stmt.kind == StmtKind::Illuminate)
-    b.call(Op::sub_vector, {to, globalSlot(globalNumber("Ps")), lower(stmt.position)});
-  else if (axis)
-    copy(vector, to, axis);
-  else
-    b.call(Op::neg_vector, {to, globalSlot(globalNumber("Ns"))});
-  at(stmt.loc);
-  copy(vector, globalSlot(direction), to);
-  if (stmt.kind == StmtKind::Solar || !axis) {
-    lower(stmt.body);
-    return;
-  }
-  BasicBlock *inside = b.block("lit"), *outside = b.block("unlit"), *join = b.block("lit.end");
-  branchIf(b.call(Op::in_cone, {to, axis, angle}), inside, outside);
-  continueIn(inside);
-  lower(stmt.body);
-  branchTo(join);
-  continueIn(outside);
-  setZero(color, globalSlot(light));
-  branchTo(join);
-  continueIn(join);
 }
 
 } // namespace anysl::rsl

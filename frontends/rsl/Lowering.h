@@ -49,6 +49,10 @@ private:
     llvm::BasicBlock *onBreak;
     llvm::BasicBlock *onContinue;
   };
+  /// The light that illuminance is at; index null: none.
+  struct CurrentLight {
+    Value *index = nullptr, *position = nullptr, *normal = nullptr;
+  };
 
   // Shaders (Lower.cpp)
   void at(SMLoc loc);
@@ -73,13 +77,20 @@ private:
   void lowerIf(const IfStmt &stmt);
   void lowerLoop(const LoopStmt &stmt);
   void lowerReturn(const ReturnStmt &stmt);
-  void lowerIlluminance(const LightStmt &stmt);
-  void lowerIlluminate(const LightStmt &stmt);
   void lowerGather(const GatherStmt &stmt); // LowerGather.cpp
   bool isOpen() const { return !builder().GetInsertBlock()->getTerminator(); }
   void branchTo(llvm::BasicBlock *block);
   void branchIf(Value *condition, llvm::BasicBlock *whenTrue, llvm::BasicBlock *whenFalse);
   void continueIn(llvm::BasicBlock *block);
+
+  // Lights (LowerLight.cpp)
+  static unsigned globalNumber(llvm::StringRef name);
+  void lowerIlluminance(const LightStmt &stmt);
+  void lowerIlluminate(const LightStmt &stmt);
+  bool startLightResult(unsigned id, Value *slot);
+  void finishLight();
+  Value *askLight(Value *name, const Expr *variable, SMLoc loc);
+  Value *callLightSource(const CallExpr &call);
 
   // Expressions (LowerExpr.cpp)
   Value *lower(const Expr *expr);
@@ -145,7 +156,7 @@ private:
   llvm::DenseMap<const OpaqueExpr *, Value *> opaques;
   llvm::DenseMap<Value *, Value *> lengths; ///< of resizable arrays, by their slots
   std::map<unsigned, Value *> globals;      ///< slots of shader globals, by number
-  std::map<unsigned, Value *> lightGlobals; ///< inside illuminance: L and Cl
+  std::map<unsigned, Value *> lightGlobals; ///< inside illuminance: L, Cl and Ol
   std::set<unsigned> writtenGlobals;
   std::set<const VarDecl *> usedParams;
   llvm::StringRef shaderName;
@@ -158,7 +169,7 @@ private:
   Value *resultSlot = nullptr;
   llvm::BasicBlock *returnBlock = nullptr;
   std::vector<Loop> loops;
-  Value *lightIndex = nullptr;
+  CurrentLight currentLight;
   llvm::DenseMap<const Expr *, Value *> namedValues; ///< of the call being lowered
   unsigned expansions = 0;                           ///< of functions, against those that multiply
 };

@@ -131,9 +131,12 @@ private:
   void checkLoop(LoopStmt &loop);
   void checkJump(JumpStmt &jump);
   void checkReturn(ReturnStmt &stmt);
-  void checkLight(LightStmt &stmt);
   void checkGather(GatherStmt &stmt); // SemaGather.cpp
   void checkGatherPairs(GatherStmt &stmt, llvm::MutableArrayRef<Expr *> pairs);
+  void checkLight(LightStmt &stmt); // SemaLight.cpp
+  void checkLightMessages(LightStmt &stmt, llvm::ArrayRef<Expr *> args);
+  bool checkAskedLight(Expr *variable, const llvm::Twine &what);
+  Expr *checkLightSource(CallExpr &call);
 
   // Expressions. check() returns the expression or what replaces it, never null; after an error its
   // type is Error.

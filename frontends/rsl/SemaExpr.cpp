@@ -125,7 +125,8 @@ Expr *Sema::checkName(NameExpr &name) {
       useVarying();
   }
   if (decl->kind == VarKind::Global && shader && !function && !illuminances &&
-      (decl->name == "L" || decl->name == "Cl") && shader->type != ShaderType::Light)
+      (decl->name == "L" || decl->name == "Cl" || decl->name == "Ol") &&
+      shader->type != ShaderType::Light)
     diags.error(name.loc, "'" + name.name + "' exists only inside of 'illuminance'")
         .range(name.range);
   return &name;

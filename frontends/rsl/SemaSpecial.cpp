@@ -144,19 +144,15 @@ Expr *Sema::checkQuery(CallExpr &call) {
   }
   call.args[0] = checkAs(call.args[0], {TypeKind::String}, "argument 1 of '" + call.name + "'");
   call.args[1] = check(call.args[1]);
+  call.hasEffects = true;
+  if (call.name == "lightsource")
+    return checkLightSource(call);
   checkTarget(call.args[1], false, call.args[1]->loc,
               ("output argument 2 of '" + call.name + "'").str());
-  call.hasEffects = true;
-  auto *name = dyn_cast<StringExpr>(call.args[0]);
-  bool isFlag = name && (name->value == "__nondiffuse" || name->value == "__nonspecular");
-  bool isAnswered = isFlag && call.name == "lightsource";
-  if (isAnswered && !call.args[1]->type.is(TypeKind::Float) && !call.args[1]->type.isError())
-    diags.error(call.args[1]->loc, "'" + name->value + "' is a float").range(call.args[1]->range);
-  if (!isAnswered)
-    diags
-        .warning(call.loc, Unanswered,
-                 "nothing answers '" + call.name + "'; it gives 0 and leaves its variable alone")
-        .range(call.range);
+  diags
+      .warning(call.loc, Unanswered,
+               "nothing answers '" + call.name + "'; it gives 0 and leaves its variable alone")
+      .range(call.range);
   call.type = {call.args[0]->type.isError() || call.args[1]->type.isError() ? TypeKind::Error
                                                                             : TypeKind::Float};
   return &call;

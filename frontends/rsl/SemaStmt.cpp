@@ -157,45 +157,4 @@ void Sema::checkReturn(ReturnStmt &stmt) {
     checkStorage(stmt.value, false, "returning from uniform function '" + function->name + "'");
 }
 
-/// Sorts the arguments of illuminance([category,] P [, axis, angle]), illuminate(P [, axis, angle])
-/// and solar([axis, angle]).
-void Sema::checkLight(LightStmt &stmt) {
-  StringRef word = stmt.kind == StmtKind::Illuminance  ? "illuminance"
-                   : stmt.kind == StmtKind::Illuminate ? "illuminate"
-                                                       : "solar";
-  if (stmt.kind != StmtKind::Illuminance && shader && shader->type != ShaderType::Light)
-    diags.error(stmt.loc,
-                "'" + word + "' belongs in a light shader, not in a " + nameOf(shader->type));
-  ArrayRef<Expr *> args = stmt.args;
-  if (stmt.kind == StmtKind::Illuminance && !args.empty() && probe(args[0]).is(TypeKind::String)) {
-    stmt.category = check(args[0]);
-    args = args.drop_front();
-  }
-  bool hasPosition = stmt.kind != StmtKind::Solar;
-  if (hasPosition && !args.empty()) {
-    stmt.position = checkAs(args[0], {TypeKind::Point, true}, "the position for '" + word + "'");
-    args = args.drop_front();
-  }
-  if ((hasPosition && !stmt.position) || (!args.empty() && args.size() < 2)) {
-    diags.error(stmt.loc, "'" + word + "' takes " +
-                              (hasPosition ? "a position and, optionally, an axis and an angle"
-                                           : "an axis and an angle, or nothing"));
-    for (Expr *arg : args)
-      check(arg);
-  } else if (!args.empty()) {
-    stmt.axis = checkAs(args[0], {TypeKind::Vector, true}, "the axis for '" + word + "'");
-    stmt.angle = checkAs(args[1], {TypeKind::Float, true}, "the angle for '" + word + "'");
-    // What follows are message names and variables that later renderers fill in.
-    if (args.size() > 2)
-      diags.error(args[2]->loc, "'" + word + "' takes no more arguments").range(args[2]->range);
-  }
-  useVarying();
-  bool isLoop = stmt.kind == StmtKind::Illuminance;
-  loops += isLoop;
-  illuminances += isLoop;
-  checkStmt(stmt.body);
-  loops -= isLoop;
-  illuminances -= isLoop;
-}
-
 } // namespace anysl::rsl

@@ -80,24 +80,34 @@ typedef union AnyslCell {
   const char *string;
 } AnyslCell;
 
-typedef enum AnyslLightKind { ANYSL_LIGHT_DISTANT = 1, ANYSL_LIGHT_POINT, ANYSL_LIGHT_SPOT } AnyslLightKind;
+typedef enum AnyslLightKind {
+  ANYSL_LIGHT_DISTANT = 1,
+  ANYSL_LIGHT_POINT,
+  ANYSL_LIGHT_SPOT,
+  ANYSL_LIGHT_SHADER /**< what a light shader computes, asked for by the service `light` */
+} AnyslLightKind;
 
 enum {
   ANYSL_LIGHT_CASTS_SHADOW = 1,
   ANYSL_LIGHT_NONDIFFUSE = 2,
-  ANYSL_LIGHT_NONSPECULAR = 4
+  ANYSL_LIGHT_NONSPECULAR = 4,
+  ANYSL_LIGHT_AMBIENT = 8,        /**< shader: only ambient() sees it */
+  ANYSL_LIGHT_FAR = 16,           /**< shader: L is a direction, so that shadows come from far away */
+  ANYSL_LIGHT_COMPUTES_FLAGS = 32 /**< shader: __nondiffuse or __nonspecular are results of its own */
 };
 
-/** A light that is not ambient, in the shaders' ("current") space. */
+/** A light, in the shaders' ("current") space. Of the standard kinds none is ambient. */
 typedef struct AnyslLight {
-  uint32_t kind;      /**< AnyslLightKind */
-  uint32_t flags;     /**< ANYSL_LIGHT_... */
-  float color[3];     /**< light colour times intensity */
-  float from[3];      /**< position (point, spot) */
-  float direction[3]; /**< unit vector in which the light travels (distant, spot) */
-  float cos_outer;    /**< spot: no light where the angle's cosine is below this */
-  float cos_inner;    /**< spot: full light where it is above this */
-  float beam;         /**< spot: exponent of the cosine */
+  uint32_t kind;        /**< AnyslLightKind */
+  uint32_t flags;       /**< ANYSL_LIGHT_... */
+  float color[3];       /**< light colour times intensity; shader: what its Cl is multiplied by */
+  float from[3];        /**< position (point, spot); shader: its P */
+  float direction[3];   /**< unit vector in which the light travels (distant, spot); shader: its N */
+  float cos_outer;      /**< spot: no light where the angle's cosine is below this */
+  float cos_inner;      /**< spot: full light where it is above this */
+  float beam;           /**< spot: exponent of the cosine */
+  const char *category; /**< the categories that it belongs to, comma-separated; null: none */
+  const void *shader;   /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
 } AnyslLight;
 
 struct AnyslShadeArgs;
@@ -211,6 +221,21 @@ typedef struct AnyslServices {
   void (*trace_hit)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first, uint32_t width,
                     uint32_t mask, const float *const P[3], const float *const R[3],
                     const float *reach, const AnyslHits *hits);
+  /**
+   * Runs the light shader args->lights[light] for a position P with normal N: nine numbers, L from P
+   * to the light, Cl and Ol. L is zero where no light arrives. These three services are libanysl's
+   * own where they are null.
+   */
+  void (*light)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, uint32_t light,
+                const double P[3], const double N[3], double result[9]);
+  void (*light_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
+                       uint32_t width, uint32_t mask, uint32_t light, const float *P,
+                       const float *N, float *result);
+  /** A parameter of any light as it is for that position, if it has one of that name and AnyslType,
+      else 0. The standard kinds have __nondiffuse, __nonspecular, __category and from. */
+  int (*light_value)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                     uint32_t light, const double P[3], const double N[3], const char *name,
+                     uint32_t type, AnyslCell *value);
 } AnyslServices;
 
 /** A batch of points that share one set of parameters. The host fills it; shaders change only outputs. */
@@ -219,7 +244,9 @@ typedef struct AnyslShadeArgs {
   uint32_t count;                 /**< points in the arrays; they are readable and writable up to a
                                        multiple of 16 points */
   AnyslCell *params;              /**< AnyslShaderInfo::cell_count cells */
-  const uint8_t *param_is_set;    /**< one byte a parameter: given by the host, or to be its default */
+  const uint8_t *param_is_set;    /**< one byte a parameter: bit ANYSL_PARAM_GIVEN, that the host has
+                                       given it, where defaults are computed; ANYSL_PARAM_ONLY_OUT, that
+                                       its array in param_data is for results alone, where shading */
   void *const *param_data;        /**< one pointer a parameter, or null: its values point by point; null
                                        pointer where it has none. Component c of array element e at
                                        point p of a type with n components is at
@@ -235,8 +262,17 @@ typedef struct AnyslShadeArgs {
   void *batch;                    /**< the renderer's own, untouched */
   const AnyslLight *lights;       /**< the lights that shine on this batch */
   uint32_t light_count;
-  float ambient[3];               /**< sum of the ambient lights */
+  float ambient[3];               /**< sum of the ambient lights that are no shaders */
+  const struct AnyslLibraryInfo *library; /**< the shader's own: how the arrays are laid out; may be
+                                       null, and then light shaders see nothing of them */
+  uint64_t globals_given;         /**< bit ANYSL_P and so on: which globals hold values, for light
+                                       shaders to see the ones that they read */
+  void *light_cache;              /**< libanysl's: keeps what light shaders gave as long as one call
+                                       shades; null: they run each time */
 } AnyslShadeArgs;
+
+/** In AnyslShadeArgs::param_is_set */
+enum { ANYSL_PARAM_GIVEN = 1, ANYSL_PARAM_ONLY_OUT = 2 };
 
 /** Shades points [first, last). Thread safe as long as batches differ. */
 typedef void (*AnyslShadeFunction)(const AnyslShadeArgs *args, uint32_t first, uint32_t last);

@@ -37,19 +37,19 @@ extern "C" {
 #endif
 
 /** Grows by one whenever this header gains a function; functions never change their meaning. */
-#define ANYSL_API_VERSION 1
+#define ANYSL_API_VERSION 2
 #define ANYSL_API __attribute__((visibility("default")))
 
 /* The structures of <anysl/abi.h> as libraries and renderers were compiled with them. */
 #define ANYSL_ASSERT_SIZE(type, size)                                                              \
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
-ANYSL_ASSERT_SIZE(AnyslLight, 56);
-ANYSL_ASSERT_SIZE(AnyslServices, 128);
+ANYSL_ASSERT_SIZE(AnyslLight, 72);
+ANYSL_ASSERT_SIZE(AnyslServices, 152);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
 ANYSL_ASSERT_SIZE(AnyslTexturePoints, 96);
 ANYSL_ASSERT_SIZE(AnyslHits, 112);
-ANYSL_ASSERT_SIZE(AnyslShadeArgs, 104);
+ANYSL_ASSERT_SIZE(AnyslShadeArgs, 128);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
 ANYSL_ASSERT_SIZE(AnyslEntryInfo, 16);
 ANYSL_ASSERT_SIZE(AnyslShaderInfo, 72);
@@ -181,7 +181,7 @@ ANYSL_API AnyslStatus anysl_instance_get_strings(const AnyslInstance *instance, 
                                                  const char **values, size_t count);
 
 /** For renderers with arrays of their own: fills in what the instance knows (struct_size, params,
-    param_is_set, services, renderer) and sets the rest to null. The caller sets count, globals and
+    param_is_set, services, renderer, library) and sets the rest to null. The caller sets count, globals and
    what else it has, and calls a function of anysl_shader_entry() on it. */
 ANYSL_API void anysl_instance_fill_args(const AnyslInstance *instance, AnyslShadeArgs *args);
 
@@ -241,6 +241,11 @@ ANYSL_API AnyslStatus anysl_batch_read_output_float(const AnyslBatch *batch, con
 ANYSL_API AnyslStatus anysl_batch_read_output_double(const AnyslBatch *batch, const char *param,
                                                      uint32_t first, uint32_t count, double *values,
                                                      size_t stride);
+/** The same for texts, which live as long as the library, the instance and the renderer's services
+   that made them. */
+ANYSL_API AnyslStatus anysl_batch_read_output_strings(const AnyslBatch *batch, const char *param,
+                                                      uint32_t first, uint32_t count,
+                                                      const char **values, size_t stride);
 /** Takes the arrays of a parameter away again: bound values or a wanted output. */
 ANYSL_API AnyslStatus anysl_batch_unbind(AnyslBatch *batch, const char *param);
 
@@ -248,6 +253,42 @@ ANYSL_API AnyslStatus anysl_batch_unbind(AnyslBatch *batch, const char *param);
    kept, not copied. */
 ANYSL_API void anysl_batch_set_lights(AnyslBatch *batch, const AnyslLight *lights, uint32_t count,
                                       const float ambient[3]);
+/**
+ * Makes a light of an instance of a light shader, for illuminance and ambient() to run. P is the
+ * origin of the shader's own space and N its z axis, as the instance's space_matrix("shader",
+ * "current") has them; flags and category come from its parameters __nondiffuse, __nonspecular and
+ * __category. All that may be changed afterwards. The light is valid as long as the instance, and
+ * has to be made again where a parameter of the instance is set.
+ */
+ANYSL_API AnyslStatus anysl_light_from_instance(const AnyslInstance *instance, AnyslLight *light);
+
+/** The parameters of the standard's light sources, in the shaders' ("current") space. */
+typedef struct AnyslStandardLight {
+  float intensity, color[3];
+  float from[3], to[3];
+  float cone_angle, cone_delta_angle; /**< radians */
+  float beam_distribution;
+} AnyslStandardLight;
+
+/** "distantlight" with no parameter set, and so on: intensity and color 1, from the origin towards
+   +z, 30 and 5 degrees, beam 2. */
+ANYSL_API void anysl_standard_light_defaults(AnyslStandardLight *values);
+/** Makes a light of a standard kind: to the last bit what examples/shaders/distantlight.sl,
+   pointlight.sl and spotlight.sl compute. `from` and `to` must differ, but for a point light. */
+ANYSL_API AnyslStatus anysl_light_standard(uint32_t kind, const AnyslStandardLight *values,
+                                           AnyslLight *light);
+
+/** The globals that light shaders among the lights read and get from the surface, as bits for
+   anysl_batch_create(): where the batch has no room for one, the light sees zeros. */
+ANYSL_API uint64_t anysl_lights_globals(const AnyslLight *lights, uint32_t count);
+/**
+ * For renderers with arrays of their own: what light shaders compute for points of \p args is kept
+ * from here to anysl_lights_end(), on this thread. Pairs may nest. Without them, and with them, the
+ * results are the same.
+ */
+ANYSL_API void anysl_lights_begin(AnyslShadeArgs *args);
+ANYSL_API void anysl_lights_end(AnyslShadeArgs *args);
+
 /** The start of every point's random sequence, one number for each point of the capacity, copied;
    null: the point's number in the batch. */
 ANYSL_API AnyslStatus anysl_batch_set_seeds(AnyslBatch *batch, const uint32_t *seeds);

@@ -167,15 +167,17 @@ AnyslStatus provideParam(AnyslBatch &batch, const char *name, uint32_t flag, int
     return ANYSL_ERROR_NAME;
   const AnyslParamInfo &param = batch.shader->params[index];
   bool output = flag == ANYSL_PARAM_OUTPUT;
-  if (!(param.flags & flag) || param.type == ANYSL_STRING)
+  if (!(param.flags & flag) || (param.type == ANYSL_STRING && !output))
     return fail(ANYSL_ERROR_TYPE,
                 context(*batch.library, *batch.shader) + "parameter '" + name + "' is " +
                     (param.type == ANYSL_STRING ? "text, which has no values point by point"
                      : output                   ? "not an output parameter"
                                                 : "uniform"));
   if (!batch.paramBuffers[index].get()) {
-    size_t reals = size_t(cellsOf(param)) * batch.stride;
-    batch.paramBuffers[index] = AlignedBuffer(reals * realSize(*batch.library->info));
+    size_t values = size_t(cellsOf(param)) * batch.stride;
+    batch.paramBuffers[index] = AlignedBuffer(
+        values * (param.type == ANYSL_STRING ? sizeof(char *) : realSize(*batch.library->info)));
+    batch.paramFlags[index] = output ? ANYSL_PARAM_ONLY_OUT : 0;
     batch.paramPointers[index] = batch.paramBuffers[index].get();
     batch.args.param_data = batch.paramPointers.data();
     batch.args.data_stride = batch.stride;
@@ -196,8 +198,39 @@ AnyslStatus bindParam(AnyslBatch &batch, const char *name, uint32_t first, uint3
   int index;
   if (AnyslStatus status = provideParam(batch, name, ANYSL_PARAM_VARYING, index))
     return status;
+  batch.paramFlags[index] = 0;
   copyIn(batch, paramView(batch, index), paramRange(batch.shader->params[index], first, count),
          values, stride);
+  return ANYSL_OK;
+}
+
+/// Finds an output parameter that was asked for.
+AnyslStatus findOutput(const AnyslBatch &batch, const char *name, bool text, int &index) {
+  index = findParam(*batch.library, *batch.shader, name);
+  if (index < 0)
+    return ANYSL_ERROR_NAME;
+  if (!batch.paramBuffers[index].get())
+    return fail(ANYSL_ERROR_STATE, context(*batch.library, *batch.shader) + "output parameter '" +
+                                       name + "' was not asked for before shading");
+  if ((batch.shader->params[index].type == ANYSL_STRING) != text)
+    return fail(ANYSL_ERROR_TYPE, context(*batch.library, *batch.shader) + "output parameter '" +
+                                      name + "' is " + (text ? "not text" : "text"));
+  return ANYSL_OK;
+}
+
+AnyslStatus readTexts(const AnyslBatch &batch, const char *name, uint32_t first, uint32_t count,
+                      const char **values, size_t stride) {
+  if (AnyslStatus status = checkRange(batch, first, count))
+    return status;
+  int index;
+  if (AnyslStatus status = findOutput(batch, name, true, index))
+    return status;
+  auto *texts = reinterpret_cast<const char *const *>(batch.paramBuffers[index].get());
+  for (uint32_t i = 0; i < count; ++i)
+    for (uint32_t e = 0; e < cellsOf(batch.shader->params[index]); ++e) {
+      const char *text = texts[e * batch.stride + first + i];
+      values[i * stride + e] = text ? text : "";
+    }
   return ANYSL_OK;
 }
 
@@ -206,12 +239,9 @@ AnyslStatus readOutput(const AnyslBatch &batch, const char *name, uint32_t first
                        Value *values, size_t stride) {
   if (AnyslStatus status = checkRange(batch, first, count))
     return status;
-  int index = findParam(*batch.library, *batch.shader, name);
-  if (index < 0)
-    return ANYSL_ERROR_NAME;
-  if (!batch.paramBuffers[index].get())
-    return fail(ANYSL_ERROR_STATE, context(*batch.library, *batch.shader) + "output parameter '" +
-                                       name + "' was not asked for before shading");
+  int index;
+  if (AnyslStatus status = findOutput(batch, name, false, index))
+    return status;
   copyOut(batch, paramView(batch, index), paramRange(batch.shader->params[index], first, count),
           values, stride);
   return ANYSL_OK;
@@ -240,6 +270,7 @@ AnyslStatus create(const AnyslInstance &instance, uint32_t capacity, uint64_t mo
     placeGlobalsAoS(*batch, realSize(info));
   batch->paramBuffers.resize(instance.shader->param_count);
   batch->paramPointers.resize(instance.shader->param_count);
+  batch->paramFlags.resize(instance.shader->param_count + 1);
   batch->args.struct_size = sizeof(AnyslShadeArgs);
   batch->args.count = capacity;
   batch->args.globals = batch->globalPointers.data();
@@ -270,10 +301,19 @@ AnyslStatus shade(const AnyslInstance &instance, const AnyslBatch &batch, uint32
   // A copy, so that threads can shade different ranges of one batch.
   AnyslShadeArgs args = batch.args;
   args.params = const_cast<AnyslCell *>(instance.cells.data());
-  args.param_is_set = instance.isSet.data();
+  args.param_is_set = batch.paramFlags.data();
   args.services = &instance.services;
   args.renderer = instance.renderer;
+  args.library = instance.library->info;
+  args.globals_given = batch.globals;
+  // Without light shaders there is nothing to keep.
+  bool keep = std::any_of(args.lights, args.lights + args.light_count,
+                          [](const AnyslLight &light) { return light.kind == ANYSL_LIGHT_SHADER; });
+  if (keep)
+    anysl_lights_begin(&args);
   entry(&args, first, last);
+  if (keep)
+    anysl_lights_end(&args);
   return ANYSL_OK;
 }
 
@@ -355,6 +395,12 @@ AnyslStatus anysl_batch_read_output_double(const AnyslBatch *batch, const char *
                                            uint32_t first, uint32_t count, double *values,
                                            size_t stride) {
   return guarded([&] { return readOutput(*batch, param, first, count, values, stride); });
+}
+
+AnyslStatus anysl_batch_read_output_strings(const AnyslBatch *batch, const char *param,
+                                            uint32_t first, uint32_t count, const char **values,
+                                            size_t stride) {
+  return guarded([&] { return readTexts(*batch, param, first, count, values, stride); });
 }
 
 AnyslStatus anysl_batch_unbind(AnyslBatch *batch, const char *param) {

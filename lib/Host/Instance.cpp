@@ -168,6 +168,7 @@ AnyslStatus create(const AnyslLibrary &library, const char *name, const AnyslSer
   instance->services = services ? *services : AnyslServices{};
   instance->services.struct_size = sizeof(AnyslServices);
   completeTextServices(instance->services);
+  completeLightServices(instance->services);
   instance->renderer = renderer;
   instance->cells.resize(shader->cell_count);
   instance->isSet.resize(shader->param_count);
@@ -253,6 +254,7 @@ void anysl_instance_fill_args(const AnyslInstance *instance, AnyslShadeArgs *arg
   args->param_is_set = instance->isSet.data();
   args->services = &instance->services;
   args->renderer = instance->renderer;
+  args->library = instance->library->info;
 }
 
 } // extern "C"

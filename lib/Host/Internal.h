@@ -23,6 +23,8 @@
 
 namespace anysl::host {
 
+struct LightCache;
+
 /// Records \p message as the thread's last error. Allocates, so callers are inside guarded().
 AnyslStatus fail(AnyslStatus status, const std::string &message);
 /// The same without allocating.
@@ -52,6 +54,9 @@ struct LoadedLibrary {
 };
 
 using LibraryRef = std::shared_ptr<const LoadedLibrary>;
+
+/// Gives services that a renderer does not offer (LightShaders.cpp).
+void completeLightServices(AnyslServices &services);
 
 /// Whether everything the descriptor says can be relied upon; fails with a message if not.
 AnyslStatus checkDescriptor(const LoadedLibrary &library);
@@ -117,6 +122,7 @@ struct AnyslBatch {
   std::vector<AnyslView> globalViews;                   ///< by global; base null: not there
   std::vector<anysl::host::AlignedBuffer> paramBuffers; ///< by parameter
   std::vector<void *> paramPointers;
+  std::vector<uint8_t> paramFlags; ///< as AnyslShadeArgs::param_is_set wants them
   std::vector<uint32_t> seeds;
   AnyslShadeArgs args; ///< without what the instance adds
 };

@@ -6,7 +6,6 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include <anysl/standard/hooks.h>
-#include <anysl/standard/lights.h>
 #include <anysl/standard/params.h>
 #include <anysl/standard/random.h>
 #include <anysl/standard/spaces.h>

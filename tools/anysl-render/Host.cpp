@@ -224,5 +224,6 @@ AnyslShadeArgs anysl::render::makeShadeArgs(const Shader &shader, const ShadingG
   args.lights = group.lights->lights.data();
   args.light_count = uint32_t(group.lights->lights.size());
   std::copy_n(group.lights->ambient, 3, args.ambient);
+  args.globals_given = shader.globals | group.lights->globals;
   return args;
 }

@@ -7,8 +7,14 @@
 
 #include "tools/anysl-render/Lights.h"
 
+#include "StandardLights.h"
+#include "tools/anysl-render/AreaLights.h"
+
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <set>
 
 using namespace anysl::render;
 
@@ -23,7 +29,26 @@ struct LightValues {
   double coneDeltaAngle = 5 * (std::numbers::pi / 180);
   double beamDistribution = 2;
   double nonDiffuse = 0, nonSpecular = 0;
+  const char *category = nullptr;
 };
+
+/// The bit of AnyslShaderInfo::effects that says that a shader asks for shadow rays.
+constexpr uint32_t shadowsEffect = 1u << 10;
+
+/// Whether a light is one of the standard's: no shader of that name is on the scene's path, or only
+/// the one that comes with this program.
+bool isStandard(const std::string &name, const ShaderCache &cache) {
+  for (const auto &[standardName, source] : standardLights) {
+    if (name != standardName)
+      continue;
+    std::optional<std::filesystem::path> file = cache.find(name);
+    if (!file)
+      return true;
+    std::ifstream stream(*file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {}) == source;
+  }
+  return false;
+}
 
 LightValues readValues(const LightUse &light, Warnings &warnings) {
   LightValues values;
@@ -34,6 +59,10 @@ LightValues readValues(const LightUse &light, Warnings &warnings) {
   const std::pair<const char *, Vec3d *> triples[] = {
       {"lightcolor", &values.color}, {"from", &values.from}, {"to", &values.to}};
   for (const Parameter &parameter : light.parameters) {
+    if (parameter.name == "__category" && parameter.strings.size() == 1) {
+      values.category = parameter.strings[0].c_str();
+      continue;
+    }
     size_t wanted = 0;
     for (auto [name, target] : floats)
       if (parameter.name == name) {
@@ -64,44 +93,109 @@ void store(float *target, Vec3d value) {
 
 } // namespace
 
-LightSet anysl::render::makeLightSet(const SceneDescription &scene,
-                                     const std::vector<uint32_t> &indices, Warnings &warnings) {
-  LightSet set;
-  for (uint32_t index : indices) {
-    const LightUse &use = scene.lights[index];
-    bool distant = use.name == "distantlight", point = use.name == "pointlight";
-    bool ambient = use.name == "ambientlight";
-    if (!distant && !point && !ambient && use.name != "spotlight") {
-      warnings.warn(use.where, "light \"" + use.name +
-                                   "\" is none of ambientlight, distantlight, pointlight and "
-                                   "spotlight; it is left out");
-      continue;
-    }
-    LightValues values = readValues(use, warnings);
-    Vec3d color = values.color * values.intensity;
-    if (ambient) {
-      for (int i = 0; i < 3; ++i)
-        set.ambient[i] += float(color[i]);
-      continue;
-    }
-    AnyslLight light = {};
-    light.kind = distant ? ANYSL_LIGHT_DISTANT : point ? ANYSL_LIGHT_POINT : ANYSL_LIGHT_SPOT;
-    light.flags = (use.castsShadow ? ANYSL_LIGHT_CASTS_SHADOW : 0) |
-                  (values.nonDiffuse != 0 ? ANYSL_LIGHT_NONDIFFUSE : 0) |
-                  (values.nonSpecular != 0 ? ANYSL_LIGHT_NONSPECULAR : 0);
-    Vec3d from = use.lightToCamera.point(values.from), to = use.lightToCamera.point(values.to);
-    Vec3d direction = normalized(to - from);
-    if (!point && direction == Vec3d())
-      throw UserError(use.where, use.name + ": \"from\" and \"to\" are the same point");
-    store(light.color, color);
-    store(light.from, from);
-    store(light.direction, direction);
-    light.cos_outer = float(std::cos(values.coneAngle));
-    light.cos_inner = float(std::cos(std::max(0.0, values.coneAngle - values.coneDeltaAngle)));
-    light.beam = float(values.beamDistribution);
-    set.lights.push_back(light);
+SceneLights::SceneLights(const SceneDescription &scene, const ShaderCache &cache,
+                         Warnings &warnings)
+    : scene(scene) {
+  std::set<uint32_t> used;
+  for (const Shape &shape : scene.shapes) {
+    const std::vector<uint32_t> &lights = scene.appearances[shape.appearance].lights;
+    used.insert(lights.begin(), lights.end());
   }
+  useOf.resize(scene.lights.size());
+  standard.resize(scene.lights.size());
+  for (uint32_t index : used) {
+    const LightUse &light = scene.lights[index];
+    standard[index] = isStandard(light.name, cache);
+    if (standard[index])
+      continue;
+    if (!cache.find(light.name)) {
+      warnings.warn(light.where,
+                    "light shader \"" + light.name + "\" is not found; the light is left out");
+      continue;
+    }
+    useOf[index] = std::make_unique<ShaderUse>(ShaderUse{
+        ShaderKind::Light, light.name, light.parameters, light.lightToCamera, light.where});
+    uses.push_back(useOf[index].get());
+  }
+}
+
+void SceneLights::load(ShaderLoader &loader, const AnyslServices &services) {
+  shaderOf.resize(useOf.size());
+  for (size_t i = 0; i < useOf.size(); ++i)
+    if (useOf[i])
+      shaderOf[i] = loader.make(*useOf[i], services);
+}
+
+LightSet SceneLights::set(const std::vector<uint32_t> &indices, Warnings &warnings) const {
+  LightSet set;
+  for (uint32_t index : indices)
+    if (shaderOf[index])
+      addShader(scene.lights[index], *shaderOf[index], set);
+    else if (standard[index])
+      addStandard(scene.lights[index], set, warnings);
+  set.globals = anysl_lights_globals(set.lights.data(), uint32_t(set.lights.size()));
   return set;
+}
+
+void SceneLights::addShader(const LightUse &use, const Shader &shader, LightSet &set) const {
+  AnyslLight light;
+  if (anysl_light_from_instance(shader.instance.get(), &light))
+    throw UserError(use.where, anysl_last_error());
+  // A shader that looks for shadows itself must not have them twice.
+  if (use.castsShadow && !(shader.info->effects & shadowsEffect))
+    light.flags |= ANYSL_LIGHT_CASTS_SHADOW;
+  spread(use, light, set);
+  set.hasShaders = true;
+}
+
+void SceneLights::spread(const LightUse &use, const AnyslLight &light, LightSet &set) const {
+  std::vector<AreaSample> samples;
+  double area = 0;
+  for (uint32_t index : use.shapes) {
+    const Shape &shape = scene.shapes[index];
+    for (const AreaSample &sample : areaSamples(shape, scene.appearances[shape.appearance])) {
+      samples.push_back(sample);
+      area += sample.area;
+    }
+  }
+  if (samples.empty())
+    set.lights.push_back(light);
+  for (const AreaSample &sample : samples) {
+    AnyslLight &part = set.lights.emplace_back(light);
+    store(part.from, sample.P);
+    if (light.kind == ANYSL_LIGHT_SHADER)
+      store(part.direction, sample.N);
+    for (float &channel : part.color)
+      channel *= float(sample.area / area);
+  }
+}
+
+void SceneLights::addStandard(const LightUse &use, LightSet &set, Warnings &warnings) const {
+  bool distant = use.name == "distantlight", point = use.name == "pointlight";
+  LightValues values = readValues(use, warnings);
+  Vec3d color = values.color * values.intensity;
+  if (use.name == "ambientlight") {
+    for (int i = 0; i < 3; ++i)
+      set.ambient[i] += float(color[i]);
+    return;
+  }
+  AnyslLight light = {};
+  light.kind = distant ? ANYSL_LIGHT_DISTANT : point ? ANYSL_LIGHT_POINT : ANYSL_LIGHT_SPOT;
+  light.flags = (use.castsShadow ? ANYSL_LIGHT_CASTS_SHADOW : 0) |
+                (values.nonDiffuse != 0 ? ANYSL_LIGHT_NONDIFFUSE : 0) |
+                (values.nonSpecular != 0 ? ANYSL_LIGHT_NONSPECULAR : 0);
+  light.category = values.category;
+  Vec3d from = use.lightToCamera.point(values.from), to = use.lightToCamera.point(values.to);
+  Vec3d direction = normalized(to - from);
+  if (!point && direction == Vec3d())
+    throw UserError(use.where, use.name + ": \"from\" and \"to\" are the same point");
+  store(light.color, color);
+  store(light.from, from);
+  store(light.direction, direction);
+  light.cos_outer = float(std::cos(values.coneAngle));
+  light.cos_inner = float(std::cos(std::max(0.0, values.coneAngle - values.coneDeltaAngle)));
+  light.beam = float(values.beamDistribution);
+  spread(use, light, set);
 }
 
 Background::Background(const SceneDescription &scene)

@@ -1,4 +1,4 @@
-//===-- tools/anysl-render/Lights.h - the standard lights and the sky -------------*- C++ -*---===//
+//===-- tools/anysl-render/Lights.h - what shines on surfaces, and the sky --------*- C++ -*---===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -8,9 +8,7 @@
 #ifndef ANYSL_RENDER_LIGHTS_H
 #define ANYSL_RENDER_LIGHTS_H
 
-#include "tools/anysl-render/SceneDescription.h"
-
-#include <anysl/abi.h>
+#include "tools/anysl-render/Shaders.h"
 
 namespace anysl::render {
 
@@ -18,13 +16,57 @@ namespace anysl::render {
 struct LightSet {
   std::vector<AnyslLight> lights;
   float ambient[3] = {};
+  bool hasShaders = false; ///< whether one of the lights is a light shader
+  uint64_t globals = 0;    ///< what those read of the surface
 };
 
-/// Translates the lights with these indices: ambientlight, distantlight, pointlight and spotlight
-/// with the parameters of the RenderMan Interface's standard lights, and __nondiffuse and
-/// __nonspecular. Others get a warning and are left out.
-LightSet makeLightSet(const SceneDescription &scene, const std::vector<uint32_t> &indices,
-                      Warnings &warnings);
+/// The lights of a scene. ambientlight, distantlight, pointlight and spotlight are data, with the
+/// parameters of the RenderMan Interface's standard lights and __nondiffuse, __nonspecular and
+/// __category, unless the scene's shader path has other shaders of these names. All others are
+/// light shaders.
+class SceneLights {
+public:
+  /// Lights whose shaders there are not get a warning and are left out.
+  SceneLights(const SceneDescription &scene, const ShaderCache &cache, Warnings &warnings);
+
+  /// The light shaders that shapes are lit by.
+  std::span<const ShaderUse *const> shaders() const { return uses; }
+  /// Makes the light shaders, whose libraries are open. Throws UserError as the loader does.
+  void load(ShaderLoader &loader, const AnyslServices &services);
+  /// The lights with these indices.
+  LightSet set(const std::vector<uint32_t> &indices, Warnings &warnings) const;
+
+private:
+  void addShader(const LightUse &use, const Shader &shader, LightSet &set) const;
+  void addStandard(const LightUse &use, LightSet &set, Warnings &warnings) const;
+  /// The light, or as many as its shapes have samples.
+  void spread(const LightUse &use, const AnyslLight &light, LightSet &set) const;
+
+  const SceneDescription &scene;
+  std::vector<std::unique_ptr<ShaderUse>> useOf; ///< by light; null: no light shader
+  std::vector<std::unique_ptr<Shader>> shaderOf; ///< by light
+  std::vector<bool> standard;                    ///< by light
+  std::vector<const ShaderUse *> uses;
+};
+
+/// Keeps what light shaders give as long as a batch is shaded.
+class LightScope {
+public:
+  LightScope(AnyslShadeArgs &args, const LightSet &lights)
+      : args(lights.hasShaders ? &args : nullptr) {
+    if (this->args)
+      anysl_lights_begin(this->args);
+  }
+  ~LightScope() {
+    if (args)
+      anysl_lights_end(args);
+  }
+  LightScope(const LightScope &) = delete;
+  LightScope &operator=(const LightScope &) = delete;
+
+private:
+  AnyslShadeArgs *args;
+};
 
 /// The light from beyond all surfaces: a sky that is brighter or darker towards the world's +y.
 class Background {

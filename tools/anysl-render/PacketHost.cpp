@@ -328,9 +328,11 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
   size_t size = (size_t(count) + 15) / 16 * 16;
   RayStarts starts(state.arena, size);
   uint64_t channelGlobals = members.channels ? channels.globals() : 0;
-  uint64_t wanted = colorOutputs | (shader ? shader->globals : 0) | channelGlobals;
-  uint64_t inVolume = volume ? volume->globals & ~colorOutputs : 0;
-  uint64_t needed = (shader ? shader->needed : 0) | (volume ? volume->needed : 0) | channelGlobals;
+  uint64_t lit = members.group.lights->globals;
+  uint64_t wanted = colorOutputs | (shader ? shader->globals : 0) | channelGlobals | lit;
+  uint64_t inVolume = volume ? (volume->globals | lit) & ~colorOutputs : 0;
+  uint64_t needed =
+      (shader ? shader->needed : 0) | (volume ? volume->needed : 0) | channelGlobals | lit;
   GlobalArrays globals(state.arena, wanted, size, theScene);
   GlobalArrays volumeGlobals(state.arena, inVolume, size, theScene);
 
@@ -430,6 +432,7 @@ void PacketHost<W>::run(const Shader &shader, PacketBatch &batch, uint32_t count
   }
   state.counts.points += count;
   ++state.counts.batches;
+  LightScope lights(args, *batch.group->lights);
   state.startShading();
   shader.shade(&args, 0, count);
   state.stopShading();
@@ -628,22 +631,22 @@ int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, co
   return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
 }
 
-const AnyslServices services = {.struct_size = sizeof(AnyslServices),
-                                .trace = serveTrace,
-                                .trace_packet = serveTracePacket,
-                                .trace_distance = serveDistance,
-                                .trace_distance_packet = serveDistancePacket,
-                                .transmission = serveTransmission,
-                                .transmission_packet = serveTransmissionPacket,
-                                .space_matrix = serveMatrix,
-                                .append = nullptr, // text is libanysl's
-                                .print_value = nullptr,
-                                .match = nullptr,
-                                .print = nullptr,
-                                .texture = outsideShading<serveTexture>,
-                                .environment = outsideShading<serveEnvironment>,
-                                .shadow = outsideShading<serveShadow>,
-                                .trace_hit = serveHits};
+const AnyslServices services = [] {
+  AnyslServices offered = {};
+  offered.struct_size = sizeof offered;
+  offered.trace = serveTrace;
+  offered.trace_packet = serveTracePacket;
+  offered.trace_distance = serveDistance;
+  offered.trace_distance_packet = serveDistancePacket;
+  offered.transmission = serveTransmission;
+  offered.transmission_packet = serveTransmissionPacket;
+  offered.space_matrix = serveMatrix;
+  offered.texture = outsideShading<serveTexture>;
+  offered.environment = outsideShading<serveEnvironment>;
+  offered.shadow = outsideShading<serveShadow>;
+  offered.trace_hit = serveHits;
+  return offered;
+}();
 
 template <unsigned W>
 std::unique_ptr<Host> makeHost(const SceneDescription &description, const ShaderCache &cache,

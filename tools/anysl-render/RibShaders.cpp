@@ -52,7 +52,7 @@ void RibState::deformation(RibArguments &arguments) {
                       "Deformation \"" + name + "\": shaders that deform are not run");
 }
 
-void RibState::lightSource(RibArguments &arguments) {
+uint32_t RibState::addLight(RibArguments &arguments) {
   LightUse light;
   light.where = arguments.where();
   light.name = arguments.string("a light's name");
@@ -64,6 +64,18 @@ void RibState::lightSource(RibArguments &arguments) {
   lightHandles[handle] = index;
   state.appearance.lights.push_back(index);
   scene.lights.push_back(std::move(light));
+  return index;
+}
+
+void RibState::lightSource(RibArguments &arguments) { addLight(arguments); }
+
+void RibState::areaLightSource(RibArguments &arguments) {
+  uint32_t light = addLight(arguments);
+  const std::string &name = scene.lights[light].name;
+  bool none = name.empty() || name == "null";
+  state.areaLight = none ? -1 : int(light);
+  if (none)
+    state.appearance.lights.pop_back();
 }
 
 void RibState::illuminate(RibArguments &arguments) {

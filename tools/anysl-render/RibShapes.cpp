@@ -25,6 +25,8 @@ void RibState::addShape(ShapeGeometry geometry, ParameterList variables,
     throw ShapeError(arguments.where(), "the transformation makes this shape flat");
   scene.shapes.push_back({std::move(geometry), std::move(variables), state.transform,
                           uint32_t(scene.appearances.size() - 1), arguments.where()});
+  if (state.areaLight >= 0 && size_t(state.areaLight) < scene.lights.size())
+    scene.lights[size_t(state.areaLight)].shapes.push_back(uint32_t(scene.shapes.size() - 1));
 }
 
 void RibState::addQuadric(QuadricShape shape, RibArguments &arguments) {

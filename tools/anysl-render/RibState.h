@@ -58,6 +58,7 @@ private:
     Matrix4 transform = Matrix4::identity(); ///< object to camera
     bool lightShadows = true;
     Basis basisU = Basis::bezier, basisV = Basis::bezier;
+    int areaLight = -1;     ///< the light that shapes belong to: an index into the scene's, or -1
     double detail = 0;      ///< of the bound that Detail has stated, in pixels; 0: none
     bool isLeftOut = false; ///< DetailRange says that another version of it is seen
   };
@@ -96,6 +97,8 @@ private:
   void concatenate(const Matrix4 &matrix) { state.transform = matrix * state.transform; }
   /// The shader that a request names: an index into the scene's, or -1 for "null" and "".
   int addShader(ShaderKind kind, RibArguments &arguments);
+  /// The light that a request names: an index into the scene's.
+  uint32_t addLight(RibArguments &arguments);
   /// Adds a shape with its variables. Throws ShapeError where there is something wrong with them.
   void addShape(ShapeGeometry geometry, ParameterList variables, const VariableCounts &counts,
                 RibArguments &arguments);

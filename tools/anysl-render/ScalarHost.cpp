@@ -96,22 +96,19 @@ private:
   Scene theScene;
 };
 
-const AnyslServices ScalarHost::services = {.struct_size = sizeof(AnyslServices),
-                                            .trace = serveTrace,
-                                            .trace_packet = nullptr,
-                                            .trace_distance = serveDistance,
-                                            .trace_distance_packet = nullptr,
-                                            .transmission = serveTransmission,
-                                            .transmission_packet = nullptr,
-                                            .space_matrix = serveMatrix,
-                                            .append = nullptr, // text is libanysl's
-                                            .print_value = nullptr,
-                                            .match = nullptr,
-                                            .print = nullptr,
-                                            .texture = outsideShading<serveTexture>,
-                                            .environment = outsideShading<serveEnvironment>,
-                                            .shadow = outsideShading<serveShadow>,
-                                            .trace_hit = serveHits};
+const AnyslServices ScalarHost::services = [] {
+  AnyslServices offered = {};
+  offered.struct_size = sizeof offered;
+  offered.trace = serveTrace;
+  offered.trace_distance = serveDistance;
+  offered.transmission = serveTransmission;
+  offered.space_matrix = serveMatrix;
+  offered.texture = outsideShading<serveTexture>;
+  offered.environment = outsideShading<serveEnvironment>;
+  offered.shadow = outsideShading<serveShadow>;
+  offered.trace_hit = serveHits;
+  return offered;
+}();
 
 /// Three numbers of a shader's, as the shared code takes the vectors of one point.
 struct Triple {
@@ -132,7 +129,8 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     }
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
     const Shader *volume = ray.medium ? ray.medium : group.atmosphere;
-    uint64_t needed = (group.shader ? group.shader->needed : 0) | (volume ? volume->needed : 0) |
+    uint64_t needed = group.lights->globals | (group.shader ? group.shader->needed : 0) |
+                      (volume ? volume->needed : 0) |
                       (channels ? theScene.channels().globals() : 0);
     SurfacePoint point;
     geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
@@ -172,7 +170,8 @@ void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, const Ray &
   // The interface promises room for 16 points; only the first is ever written.
   Real *globals = arena.allocate<Real>(16 * ANYSL_COMPONENT_COUNT);
   auto store = [globals](int component, double value) { globals[component] = Real(value); };
-  uint64_t wanted = colorOutputs | (shader ? shader->globals : 0) |
+  uint64_t lit = batch.group->lights->globals;
+  uint64_t wanted = colorOutputs | lit | (shader ? shader->globals : 0) |
                     (channels ? theScene.channels().globals() : 0);
   storeGlobals(wanted, point, ray, ray.travelled, store);
   Real **outputs = nullptr;
@@ -205,8 +204,8 @@ void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, const Ray &
     auto storeVolume = [inVolume](int component, double value) {
       inVolume[component] = Real(value);
     };
-    storeGlobals(volume->globals & ~colorOutputs, point, ray, 0, storeVolume);
-    storeUniformGlobals(volume->globals, theScene, storeVolume);
+    storeGlobals((volume->globals | lit) & ~colorOutputs, point, ray, 0, storeVolume);
+    storeUniformGlobals(volume->globals | lit, theScene, storeVolume);
     std::copy_n(globals + ANYSL_COMPONENT_Ci, 3, inVolume + ANYSL_COMPONENT_Ci);
     std::copy_n(globals + ANYSL_COMPONENT_Oi, 3, inVolume + ANYSL_COMPONENT_Oi);
     batch.seed = hash(batch.seed, throughVolume);
@@ -236,6 +235,7 @@ void ScalarHost::run(const Shader &shader, const ShadingGroup &group, PointBatch
   }
   ++batch.state->counts.points;
   ++batch.state->counts.batches;
+  LightScope lights(args, *group.lights);
   batch.state->startShading();
   shader.shade(&args, 0, 1);
   batch.state->stopShading();

@@ -25,7 +25,8 @@ constexpr uint32_t spacesService = 1u << 3;
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
     : description(given), camera(given.camera), spaces(given, camera), background(given),
-      textures(makePictures(given)), loader(*this, cache, layout, width, warnings) {
+      textures(makePictures(given)), loader(*this, cache, layout, width, warnings),
+      lights(given, cache, warnings) {
   loadShaders(services, warnings);
   makeGroups(warnings);
   surfaces = std::make_unique<Geometry>(description, camera, groupOfShape);
@@ -44,7 +45,9 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
   std::vector<const ShaderUse *> uses;
   for (int index : used)
     uses.push_back(&description.shaders[size_t(index)]);
+  uses.insert(uses.end(), lights.shaders().begin(), lights.shaders().end());
   loader.open(uses);
+  lights.load(loader, services);
   imagerServices.struct_size = sizeof imagerServices;
   imagerServices.space_matrix = services.space_matrix;
   imagerServices.texture = serveTexture;
@@ -71,19 +74,19 @@ void Scene::makeGroups(Warnings &warnings) {
   for (uint32_t i = 0; i < description.shapes.size(); ++i) {
     const Shape &shape = description.shapes[i];
     const Appearance &appearance = description.appearances[shape.appearance];
-    auto [lights, isNew] = lightSets.try_emplace(appearance.lights);
+    auto [set, isNew] = lightSets.try_emplace(appearance.lights);
     if (isNew)
-      lights->second = makeLightSet(description, appearance.lights, warnings);
+      set->second = lights.set(appearance.lights, warnings);
     std::array<int, 5> indices{appearance.surface, appearance.atmosphere, appearance.interior,
                                appearance.exterior, appearance.matte};
     bool bySpace = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
       return shaderOf(index) && (shaderOf(index)->info->services & spacesService) != 0;
     });
-    Key key{indices, &lights->second, bySpace ? i : anyObject};
+    Key key{indices, &set->second, bySpace ? i : anyObject};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
     if (isNewGroup)
       groups.push_back({shaderOf(indices[0]), shaderOf(indices[1]), shaderOf(indices[2]),
-                        shaderOf(indices[3]), &lights->second, Space(shape.objectToCamera),
+                        shaderOf(indices[3]), &set->second, Space(shape.objectToCamera),
                         appearance.matte});
     groupOfShape.push_back(entry->second);
   }

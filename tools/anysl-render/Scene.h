@@ -58,6 +58,7 @@ private:
   AnyslServices imagerServices = {};            ///< what makes sense without a scene's point
   std::vector<std::unique_ptr<Shader>> shaders; ///< as description.shaders; null where not used
   Channels wantedChannels;
+  SceneLights lights;
   std::map<std::vector<uint32_t>, LightSet> lightSets;
   std::vector<ShadingGroup> groups;
   std::vector<uint32_t> groupOfShape;

@@ -183,6 +183,7 @@ struct LightUse {
   ParameterList parameters;
   Matrix4 lightToCamera = Matrix4::identity();
   bool castsShadow = true;
+  std::vector<uint32_t> shapes; ///< of an area light: indices into SceneDescription::shapes
   Location where;
 };
 

@@ -122,12 +122,9 @@ ShaderCache::ShaderCache(fs::path given, ShaderTarget target)
     folder = fs::temp_directory_path() / ("anysl-" + std::to_string(getuid()));
 }
 
-fs::path ShaderCache::find(const std::string &name, const Location &where) const {
+std::optional<fs::path> ShaderCache::find(const std::string &name) const {
   std::error_code error;
-  std::string searched;
-  fs::path given(name);
-  bool hasFolder = given.has_parent_path();
-  for (const fs::path &place : searchPath) {
+  for (const fs::path &place : searchPath)
     for (const char *suffix : {".so", ".stc.bc", ".sl", ""}) {
       fs::path path = place / (name + suffix);
       bool known =
@@ -135,12 +132,7 @@ fs::path ShaderCache::find(const std::string &name, const Location &where) const
       if (known && fs::is_regular_file(path, error))
         return path.lexically_normal();
     }
-    searched += (searched.empty() ? "" : ":") + place.string();
-    if (hasFolder && given.is_absolute())
-      break;
-  }
-  throw UserError(where, "shader \"" + name + "\" is not found: no " + name +
-                             ".so, .stc.bc or .sl in " + searched);
+  return std::nullopt;
 }
 
 std::string ShaderCache::toolKey() const {
@@ -177,7 +169,18 @@ std::vector<fs::path> ShaderCache::sources() const {
 }
 
 fs::path ShaderCache::library(const std::string &name, const Location &where) const {
-  fs::path source = find(name, where);
+  std::optional<fs::path> found = find(name);
+  if (!found) {
+    std::string searched;
+    for (const fs::path &place : searchPath) {
+      searched += (searched.empty() ? "" : ":") + place.string();
+      if (fs::path(name).is_absolute())
+        break;
+    }
+    throw UserError(where, "shader \"" + name + "\" is not found: no " + name +
+                               ".so, .stc.bc or .sl in " + searched);
+  }
+  fs::path source = *found;
   ContentHash hash;
   std::vector<fs::path> sources;
   if (source.extension() == ".so")

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace anysl::render {
@@ -43,13 +44,15 @@ public:
   /// none or it does not compile. Several threads may call this for different shaders.
   std::filesystem::path library(const std::string &name, const Location &where) const;
 
+  /// A shader's file, if there is one.
+  std::optional<std::filesystem::path> find(const std::string &name) const;
+
   /// The files that libraries were made from, to be watched for changes.
   std::vector<std::filesystem::path> sources() const;
   /// How many compilations library() has had to do.
   unsigned compilations() const { return compiled; }
 
 private:
-  std::filesystem::path find(const std::string &name, const Location &where) const;
   std::string toolKey() const;
 
   std::filesystem::path folder, tools;

@@ -43,9 +43,7 @@ enum class Surroundings { Sky, Direction, Black };
 struct Environment {
   Surroundings surroundings = Surroundings::Sky;
   std::map<std::string, Matrix> toCurrent; ///< by name of the coordinate system
-  std::vector<AnyslLight> lights;
-  std::FILE *printTo = stdout; ///< what shaders print
-  float ambient[3] = {0, 0, 0};
+  std::FILE *printTo = stdout;             ///< what shaders print
   std::shared_ptr<Pictures> pictures = std::make_shared<Pictures>();
 
   Environment();

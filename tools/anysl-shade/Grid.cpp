@@ -13,13 +13,6 @@ namespace {
 
 constexpr uint32_t pointsAtOnce = 4096;
 
-void check(AnyslStatus status) {
-  if (status == ANYSL_ERROR_MEMORY)
-    throw std::bad_alloc();
-  if (status)
-    throw UserError(anysl_last_error());
-}
-
 std::string plural(size_t count) {
   return std::to_string(count) + (count == 1 ? " number" : " numbers");
 }
@@ -30,48 +23,18 @@ double step(size_t n) { return n > 1 ? 1 / double(n - 1) : 1; }
 
 } // namespace
 
-Grid::Grid(const Options &given) : options(given), services(environmentServices()) {
-  AnyslLibrary *opened = nullptr;
-  check(anysl_library_open(options.library.c_str(), 0, &opened));
-  library.reset(opened);
-  AnyslInstance *created = nullptr;
-  check(anysl_instance_create(opened, options.shader ? options.shader->c_str() : nullptr, &services,
-                              &options.environment, &created));
-  shaderInstance.reset(created);
+Grid::Grid(const Options &given)
+    : options(given), services(environmentServices()), library(openLibrary(given.library)),
+      shaderInstance(makeInstance(library.get(), given.shader ? &*given.shader : nullptr, services,
+                                  options.environment)),
+      lights(given.lights, services, options.environment) {
   for (const ParamText &param : options.params)
-    setParam(param);
+    setParam(shaderInstance.get(), param, "--param");
   for (const Constant &constant : options.constants)
     override(constant.name, constant.value, constant.value, false, "--set");
   for (const Ramp &ramp : options.ramps)
     override(ramp.name, ramp.from, ramp.to, ramp.alongHeight, "--ramp");
   chooseResults();
-}
-
-void Grid::setParam(ParamText param) {
-  // As anysl-link takes it: SHADER.NAME=VALUE.
-  std::string prefix = std::string(shader().name) + ".";
-  if (param.name.compare(0, prefix.size(), prefix) == 0)
-    param.name.erase(0, prefix.size());
-  const AnyslParamInfo *info = anysl_shader_param(&shader(), param.name.c_str());
-  if (!info || info->type != ANYSL_STRING) {
-    // An unknown name is best reported by the library, whatever the value.
-    std::vector<double> numbers =
-        info ? parseNumbers(param.value, "--param " + param.name) : std::vector<double>(1);
-    return check(anysl_instance_set_numbers(shaderInstance.get(), param.name.c_str(),
-                                            numbers.data(), numbers.size()));
-  }
-  std::vector<std::string> texts = {param.value};
-  if (info->array_length)
-    for (size_t at; (at = texts.back().find(',')) != std::string::npos;) {
-      std::string rest = texts.back().substr(at + 1);
-      texts.back().resize(at);
-      texts.push_back(rest);
-    }
-  std::vector<const char *> pointers;
-  for (const std::string &text : texts)
-    pointers.push_back(text.c_str());
-  check(anysl_instance_set_strings(shaderInstance.get(), param.name.c_str(), pointers.data(),
-                                   pointers.size()));
 }
 
 void Grid::override(const std::string &name, std::vector<double> from, std::vector<double> to,
@@ -117,7 +80,7 @@ void Grid::chooseResults() {
   for (const std::string &name : options.print) {
     int global = anysl_global_find(name.c_str());
     const AnyslParamInfo *param = anysl_shader_param(&shader(), name.c_str());
-    bool output = param && param->flags & ANYSL_PARAM_OUTPUT && param->type != ANYSL_STRING;
+    bool output = param && param->flags & ANYSL_PARAM_OUTPUT;
     if (global < 0 && !output)
       throw UserError("--print: '" + name + "' is neither a shader global nor an output parameter" +
                       (outputs.empty() ? "" : " (those are " + outputs + ")"));
@@ -125,7 +88,11 @@ void Grid::chooseResults() {
       printedGlobals |= uint64_t(1) << global;
       wanted.push_back({name, anysl_global_components(global), 0, {}});
     } else {
-      wanted.push_back({name, anysl_type_components(param->type), param->array_length, {}});
+      wanted.push_back({name,
+                        anysl_type_components(param->type),
+                        param->array_length,
+                        {},
+                        param->type == ANYSL_STRING});
     }
   }
 }
@@ -239,11 +206,9 @@ void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
 
 BatchHandle Grid::makeBatch(size_t first, uint32_t count) const {
   AnyslBatch *created = nullptr;
-  check(anysl_batch_create(instance(), count, printedGlobals, &created));
+  check(anysl_batch_create(instance(), count, printedGlobals | lights.globals(), &created));
   BatchHandle batch(created);
-  const Environment &world = options.environment;
-  anysl_batch_set_lights(created, world.lights.data(), uint32_t(world.lights.size()),
-                         world.ambient);
+  lights.shineOn(created);
   for (const Result &result : wanted)
     if (anysl_global_find(result.name.c_str()) < 0)
       check(anysl_batch_want_output(created, result.name.c_str()));
@@ -251,15 +216,29 @@ BatchHandle Grid::makeBatch(size_t first, uint32_t count) const {
   return batch;
 }
 
+void Grid::readTexts(const AnyslBatch *batch, size_t first, uint32_t count, Result &result) {
+  std::vector<const char *> texts(size_t(count) * result.perPoint());
+  check(anysl_batch_read_output_strings(batch, result.name.c_str(), 0, count, texts.data(),
+                                        result.perPoint()));
+  std::copy(texts.begin(), texts.end(), result.texts.begin() + first * result.perPoint());
+}
+
 std::vector<Result> Grid::shade() const {
   std::vector<Result> results = wanted;
   for (Result &result : results)
-    result.values.resize(pointCount() * result.perPoint());
+    if (result.isText)
+      result.texts.resize(pointCount() * result.perPoint());
+    else
+      result.values.resize(pointCount() * result.perPoint());
   for (size_t first = 0; first < pointCount(); first += pointsAtOnce) {
     auto count = uint32_t(std::min<size_t>(pointsAtOnce, pointCount() - first));
     BatchHandle batch = makeBatch(first, count);
     check(anysl_shade(instance(), batch.get(), 0, count, options.width));
     for (Result &result : results) {
+      if (result.isText) {
+        readTexts(batch.get(), first, count, result);
+        continue;
+      }
       int global = anysl_global_find(result.name.c_str());
       double *values = &result.values[first * result.perPoint()];
       check(global >= 0

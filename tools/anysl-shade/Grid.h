@@ -9,24 +9,11 @@
 #ifndef ANYSL_TOOLS_ANYSL_SHADE_GRID_H
 #define ANYSL_TOOLS_ANYSL_SHADE_GRID_H
 
-#include "tools/anysl-shade/Options.h"
-#include <anysl/anysl.h>
+#include "tools/anysl-shade/Lights.h"
 #include <array>
 #include <map>
-#include <memory>
 
 namespace anysl::shade {
-
-template <auto function>
-struct Free {
-  template <class T>
-  void operator()(T *object) const {
-    function(object);
-  }
-};
-using LibraryHandle = std::unique_ptr<AnyslLibrary, Free<anysl_library_close>>;
-using InstanceHandle = std::unique_ptr<AnyslInstance, Free<anysl_instance_free>>;
-using BatchHandle = std::unique_ptr<AnyslBatch, Free<anysl_batch_free>>;
 
 /// One shaded quantity at every point of the grid, row by row.
 struct Result {
@@ -34,6 +21,8 @@ struct Result {
   uint32_t components; ///< of one element
   uint32_t elements;   ///< 0: not an array
   std::vector<double> values;
+  bool isText = false;
+  std::vector<std::string> texts{}; ///< instead of values
 
   uint32_t perPoint() const { return components * (elements ? elements : 1); }
 };
@@ -65,10 +54,10 @@ private:
     bool alongHeight = false;
   };
 
-  void setParam(ParamText param);
   void override(const std::string &name, std::vector<double> from, std::vector<double> to,
                 bool alongHeight, const char *option);
   void chooseResults();
+  static void readTexts(const AnyslBatch *batch, size_t first, uint32_t count, Result &result);
   void valueAt(const Override &value, size_t point, double *result) const;
   void globalAt(int global, size_t point, double *result) const;
   void slopeAt(int global, bool byV, std::array<double, 3> plain, double *result) const;
@@ -77,6 +66,7 @@ private:
   AnyslServices services;
   LibraryHandle library;
   InstanceHandle shaderInstance;
+  Lights lights;
   std::map<int, Override> globalOverrides;
   std::map<std::string, Override> paramOverrides;
   std::vector<Result> wanted; ///< without values

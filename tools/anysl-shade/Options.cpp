@@ -55,7 +55,10 @@ The world around it:
       point     color, intensity, from (0,0,1)
       spot      color, intensity, from (0,0,1), direction or to, cone (30), delta (5), beam (2);
                 cone and delta in degrees
-      and the flags shadow, nondiffuse, nonspecular
+      and the flags shadow, nondiffuse, nonspecular; or, with the parameters of the standard's
+      shaders of these names, ambientlight, distantlight, pointlight, spotlight; category=NAME
+  --light FILE.so[:SHADER][:PARAM=v[,v...]]...   add a light that a light shader computes; also the
+      flag shadow, and space=m,... (16 numbers), the matrix from its own space to the current one
   --texture-path DIR[:DIR...]
                            where textures are looked for, after the current folder
   --space NAME=m,...       16 numbers, the matrix (row by row, for row vectors) from a
@@ -63,26 +66,6 @@ The world around it:
 )";
 
 [[noreturn]] void fail(const std::string &message) { throw UserError(message); }
-
-std::vector<std::string> split(const std::string &text, char separator) {
-  std::vector<std::string> parts;
-  for (size_t begin = 0;;) {
-    size_t end = text.find(separator, begin);
-    parts.push_back(text.substr(begin, end - begin));
-    if (end == std::string::npos)
-      return parts;
-    begin = end + 1;
-  }
-}
-
-/// NAME=VALUE, both sides of it.
-std::pair<std::string, std::string> parseAssignment(const std::string &text,
-                                                    const std::string &option) {
-  size_t at = text.find('=');
-  if (at == 0 || at == std::string::npos)
-    fail(option + " wants NAME=VALUE, not '" + text + "'");
-  return {text.substr(0, at), text.substr(at + 1)};
-}
 
 unsigned parseCount(const std::string &text, const std::string &option) {
   unsigned value = 0;
@@ -132,99 +115,7 @@ void parseSurroundings(Environment &environment, const std::string &text) {
 
 void parseSpace(Environment &environment, const std::string &text) {
   auto [name, value] = parseAssignment(text, "--space");
-  std::vector<double> numbers = parseNumbers(value, "--space");
-  if (numbers.size() != 16)
-    fail("--space wants 16 numbers, not " + std::to_string(numbers.size()));
-  Matrix matrix;
-  std::copy(numbers.begin(), numbers.end(), matrix.begin());
-  for (double element : inverse(matrix))
-    if (!std::isfinite(element))
-      fail("the matrix of --space " + name + " has no inverse");
-  environment.toCurrent[name] = matrix;
-}
-
-/// A light as it is described, before its colour is scaled and its angles become cosines.
-struct LightText {
-  std::string kind;
-  std::vector<double> color = {1, 1, 1}, from = {0, 0, 1}, direction = {0, 0, -1}, to;
-  double intensity = 1, cone = 30, delta = 5, beam = 2;
-  uint32_t flags = 0;
-};
-
-void parseLightKey(LightText &light, const std::string &part) {
-  if (part == "shadow" || part == "nondiffuse" || part == "nonspecular") {
-    light.flags |= part == "shadow"       ? ANYSL_LIGHT_CASTS_SHADOW
-                   : part == "nondiffuse" ? ANYSL_LIGHT_NONDIFFUSE
-                                          : ANYSL_LIGHT_NONSPECULAR;
-    return;
-  }
-  auto [key, value] = parseAssignment(part, "--light");
-  std::vector<double> numbers = parseNumbers(value, "--light");
-  bool ambient = light.kind == "ambient", distant = light.kind == "distant";
-  bool spot = light.kind == "spot";
-  struct Key {
-    const char *name;
-    std::vector<double> *triple;
-    double *number;
-    bool allowed;
-  } const keys[] = {{"color", &light.color, nullptr, true},
-                    {"intensity", nullptr, &light.intensity, true},
-                    {"from", &light.from, nullptr, !ambient && !distant},
-                    {"direction", &light.direction, nullptr, distant || spot},
-                    {"to", &light.to, nullptr, spot},
-                    {"cone", nullptr, &light.cone, spot},
-                    {"delta", nullptr, &light.delta, spot},
-                    {"beam", nullptr, &light.beam, spot}};
-  for (const Key &known : keys) {
-    if (key != known.name || !known.allowed)
-      continue;
-    if (numbers.size() != (known.triple ? 3 : 1))
-      fail("'" + key + "' of --light wants " + (known.triple ? "3 numbers" : "1 number"));
-    if (known.triple)
-      *known.triple = numbers;
-    else
-      *known.number = numbers[0];
-    return;
-  }
-  fail("--light " + light.kind + " has no '" + key + "'");
-}
-
-void addLight(Environment &environment, LightText text) {
-  constexpr double degree = 3.14159265358979323846 / 180;
-  AnyslLight light = {};
-  light.kind = text.kind == "distant" ? ANYSL_LIGHT_DISTANT
-               : text.kind == "point" ? ANYSL_LIGHT_POINT
-                                      : ANYSL_LIGHT_SPOT;
-  light.flags = text.flags;
-  for (int c = 0; c < 3; ++c)
-    text.direction[c] = text.to.empty() ? text.direction[c] : text.to[c] - text.from[c];
-  double length = std::hypot(text.direction[0], text.direction[1], text.direction[2]);
-  if (!(length > 0))
-    fail("the direction of --light " + text.kind + " is zero");
-  for (int c = 0; c < 3; ++c) {
-    light.color[c] = float(text.color[c] * text.intensity);
-    light.from[c] = float(text.from[c]);
-    light.direction[c] = float(text.direction[c] / length);
-  }
-  light.cos_outer = float(std::cos(text.cone * degree));
-  light.cos_inner = float(std::cos((text.cone - text.delta) * degree));
-  light.beam = float(text.beam);
-  environment.lights.push_back(light);
-}
-
-void parseLight(Environment &environment, const std::string &description) {
-  std::vector<std::string> parts = split(description, ':');
-  LightText light;
-  light.kind = parts[0];
-  if (light.kind != "ambient" && light.kind != "distant" && light.kind != "point" &&
-      light.kind != "spot")
-    fail("--light is ambient, distant, point or spot, not '" + light.kind + "'");
-  for (size_t i = 1; i < parts.size(); ++i)
-    parseLightKey(light, parts[i]);
-  if (light.kind != "ambient")
-    return addLight(environment, light);
-  for (int c = 0; c < 3; ++c)
-    environment.ambient[c] += float(light.color[c] * light.intensity);
+  environment.toCurrent[name] = parseMatrix(value, "--space " + name);
 }
 
 struct Option {
@@ -252,7 +143,7 @@ const Option table[] = {
     {"-o", [](Options &o, const std::string &v) { o.image = v; }},
     {"--environment",
      [](Options &o, const std::string &v) { parseSurroundings(o.environment, v); }},
-    {"--light", [](Options &o, const std::string &v) { parseLight(o.environment, v); }},
+    {"--light", [](Options &o, const std::string &v) { o.lights.push_back(v); }},
     {"--texture-path",
      [](Options &o, const std::string &v) {
        for (const std::string &folder : split(v, ':'))
@@ -294,6 +185,26 @@ int parseOption(Options &options, int arg, int argc, char **argv) {
 
 } // namespace
 
+std::vector<std::string> split(const std::string &text, char separator) {
+  std::vector<std::string> parts;
+  for (size_t begin = 0;;) {
+    size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string::npos)
+      return parts;
+    begin = end + 1;
+  }
+}
+
+/// NAME=VALUE, both sides of it.
+std::pair<std::string, std::string> parseAssignment(const std::string &text,
+                                                    const std::string &option) {
+  size_t at = text.find('=');
+  if (at == 0 || at == std::string::npos)
+    throw UserError(option + " wants NAME=VALUE, not '" + text + "'");
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
 std::vector<double> parseNumbers(const std::string &text, const std::string &option) {
   std::vector<double> numbers;
   for (const std::string &part : split(text, ',')) {
@@ -305,6 +216,18 @@ std::vector<double> parseNumbers(const std::string &text, const std::string &opt
     numbers.push_back(value);
   }
   return numbers;
+}
+
+Matrix parseMatrix(const std::string &text, const std::string &option) {
+  std::vector<double> numbers = parseNumbers(text, option);
+  if (numbers.size() != 16)
+    throw UserError(option + " wants 16 numbers, not " + std::to_string(numbers.size()));
+  Matrix matrix;
+  std::copy(numbers.begin(), numbers.end(), matrix.begin());
+  for (double element : inverse(matrix))
+    if (!std::isfinite(element))
+      throw UserError("the matrix of " + option + " has no inverse");
+  return matrix;
 }
 
 std::optional<Options> parseOptions(int argc, char **argv) {

@@ -49,7 +49,8 @@ struct Options {
   std::vector<Ramp> ramps;
   std::vector<ParamText> params;
   std::vector<std::string> print;
-  std::string image; ///< empty: none
+  std::vector<std::string> lights; ///< as --light has them
+  std::string image;               ///< empty: none
   bool json = false;
   bool bench = false;
   Environment environment;
@@ -59,8 +60,14 @@ struct Options {
 /// printed. Throws UserError.
 std::optional<Options> parseOptions(int argc, char **argv);
 
+std::vector<std::string> split(const std::string &text, char separator);
+/// NAME=VALUE, both sides of it. Throws UserError that names \p option.
+std::pair<std::string, std::string> parseAssignment(const std::string &text,
+                                                    const std::string &option);
 /// "0.5,1,2" as numbers. Throws UserError that names \p option.
 std::vector<double> parseNumbers(const std::string &text, const std::string &option);
+/// 16 of them, a matrix that has an inverse.
+Matrix parseMatrix(const std::string &text, const std::string &option);
 
 } // namespace anysl::shade
 

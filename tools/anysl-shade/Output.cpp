@@ -26,23 +26,44 @@ std::string number(double value, bool isDouble) {
   return text;
 }
 
-std::string jsonElement(const double *values, uint32_t components, bool isDouble) {
+/// A text as JSON has it.
+std::string quoted(const std::string &text) {
+  std::string result = "\"";
+  for (unsigned char c : text) {
+    char escaped[8];
+    if (c == '"' || c == '\\')
+      result += '\\';
+    std::snprintf(escaped, sizeof escaped, "\\u%04x", c);
+    if (c < 0x20)
+      result += escaped;
+    else
+      result += char(c);
+  }
+  return result + "\"";
+}
+
+/// Element number `index` of a result's numbers or texts.
+std::string element(const Result &result, size_t index, bool isDouble) {
+  return result.isText ? quoted(result.texts[index]) : number(result.values[index], isDouble);
+}
+
+std::string jsonElement(const Result &result, size_t index, bool isDouble) {
+  uint32_t components = result.components;
   if (components == 1)
-    return number(*values, isDouble);
+    return element(result, index, isDouble);
   std::string text = "[";
   for (uint32_t c = 0; c < components; ++c)
-    text += (c ? "," : "") + number(values[c], isDouble);
+    text += (c ? "," : "") + element(result, index + c, isDouble);
   return text + "]";
 }
 
 std::string jsonPoint(const Result &result, size_t point, bool isDouble) {
-  const double *values = &result.values[point * result.perPoint()];
+  size_t first = point * result.perPoint();
   if (!result.elements)
-    return jsonElement(values, result.components, isDouble);
+    return jsonElement(result, first, isDouble);
   std::string text = "[";
   for (uint32_t e = 0; e < result.elements; ++e)
-    text += (e ? "," : "") +
-            jsonElement(values + size_t(e) * result.components, result.components, isDouble);
+    text += (e ? "," : "") + jsonElement(result, first + size_t(e) * result.components, isDouble);
   return text + "]";
 }
 
@@ -56,7 +77,7 @@ void printText(const Options &options, const std::vector<Result> &results, bool 
     for (const Result &result : results) {
       line += "  " + result.name;
       for (uint32_t k = 0; k < result.perPoint(); ++k)
-        line += " " + number(result.values[point * result.perPoint() + k], isDouble);
+        line += " " + element(result, point * result.perPoint() + k, isDouble);
     }
     std::puts(line.c_str());
   }

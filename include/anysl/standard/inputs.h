@@ -134,4 +134,13 @@ void anysl_store_varying_matrix(anysl_context *context, uint32_t id, uint32_t el
         [&](auto k) { varying<16>(context, id, element, k) = valueOf(a->m[k / 4][k % 4]); });
 }
 
+/// Texts lie alike in every layout.
+void anysl_store_varying_string(anysl_context *context, uint32_t id, uint32_t element,
+                                const anysl_string *a) {
+  if (!isWanted(context, id))
+    return;
+  auto *texts = static_cast<anysl_string *>(context->args->param_data[id]);
+  texts[size_t(element) * context->args->data_stride + context->point] = *a;
+}
+
 #endif // ANYSL_STANDARD_INPUTS_H

@@ -5,11 +5,13 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Lights lie in AnyslShadeArgs and are evaluated in line: which kind a light is, and all of its
-// data, are the same for every point, so widened code branches on the kind and computes the rest
-// for all points at once. The formulas are those of the RenderMan Interface's standard light
-// sources (version 3.2, appendix A.2.2). Only a light that casts shadows asks the renderer, through
-// the runtime's own anysl_transmission.
+// Lights lie in AnyslShadeArgs. The standard kinds are evaluated in line: which kind a light is,
+// and all of its data, are the same for every point, so widened code branches on the kind and
+// computes the rest for all points at once. The formulas are those of the RenderMan Interface's
+// standard light sources (version 3.2, appendix A.2.2), operation by operation those of
+// examples/shaders/pointlight.sl and its like, so that either gives the same bits. A light of
+// another shader is asked for through a function of the runtime's own, askLight(), as is one that
+// casts shadows, through anysl_transmission.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -20,6 +22,53 @@
 #include <anysl/standard/context.h>
 
 namespace anysl {
+
+//===-- What a runtime defines ----------------------------------------------------------------===//
+
+/// The service `light`: L is zero where the light does not reach P.
+void askLight(anysl_context *context, int32_t index, const anysl_point &P, const anysl_normal &N,
+              anysl_vector &L, anysl_color &Cl, anysl_color &Ol);
+
+//===-- Questions to light shaders ------------------------------------------------------------===//
+
+/// The service `light_value`. It stays a call and has no wide form: such questions are rare, and
+/// most are about what is the same for every point.
+[[gnu::noinline]] bool askLightValue(const AnyslShadeArgs *args, uint32_t point, uint32_t light,
+                                     double px, double py, double pz, double nx, double ny,
+                                     double nz, const char *name, uint32_t type, AnyslCell *value);
+
+/// Asks for a parameter of a light; \p take gets the cells that hold it.
+template <typename Take>
+inline bool lightValue(anysl_context *context, int32_t index, const anysl_point *P,
+                       const anysl_normal *N, const char *name, uint32_t type, AnyslCell *cells,
+                       Take &&take) {
+  if (!askLightValue(context->args, context->point, uint32_t(index), double(valueOf(P->x)),
+                     double(valueOf(P->y)), double(valueOf(P->z)), double(valueOf(N->x)),
+                     double(valueOf(N->y)), double(valueOf(N->z)), name, type, cells))
+    return false;
+  take();
+  return true;
+}
+
+/// A flag of a light: fixed, or what its shader computes.
+inline bool lightFlag(anysl_context *context, int32_t index, const anysl_point *P,
+                      const anysl_normal *N, uint32_t flag, const char *name) {
+  uint32_t flags = context->args->lights[index].flags;
+  if (!(flags & ANYSL_LIGHT_COMPUTES_FLAGS))
+    return flags & flag;
+  AnyslCell value;
+  bool isSet = false;
+  lightValue(context, index, P, N, name, ANYSL_FLOAT, &value, [&] { isSet = value.number != 0; });
+  return isSet;
+}
+
+//===-- Categories ----------------------------------------------------------------------------===//
+
+/// Whether two comma-separated lists, which may be null, have a name in common. `const` says that
+/// it is the same for the whole batch, as for spaceMatrixRow(), so it may be called unasked.
+[[gnu::const, gnu::noinline]] bool haveCommonName(const char *a, const char *b);
+
+//===-- Helpers -------------------------------------------------------------------------------===//
 
 /// Where the shadow ray of a distant light ends: far outside a scene, and near enough that the
 /// square of its length is a float.
@@ -43,24 +92,61 @@ inline anysl_float smoothEdge(const anysl_float &low, const anysl_float &high,
 
 } // namespace anysl
 
-void anysl_ambient(anysl_color *result, anysl_context *context) {
-  *result = anysl::colorFrom(context->args->ambient);
+//===-- Operators -----------------------------------------------------------------------------===//
+
+void anysl_ambient(anysl_color *result, anysl_context *context, const anysl_point *P,
+                   const anysl_normal *N) {
+  using namespace anysl;
+  const AnyslShadeArgs *args = context->args;
+  anysl_color sum = colorFrom(args->ambient);
+  for (uint32_t i = 0; i < args->light_count; ++i) {
+    if (!(args->lights[i].flags & ANYSL_LIGHT_AMBIENT))
+      continue;
+    anysl_vector L;
+    anysl_color Cl, Ol;
+    askLight(context, int32_t(i), *P, *N, L, Cl, Ol);
+    Cl = Cl * colorFrom(args->lights[i].color);
+    sum = {sum.r + Cl.r, sum.g + Cl.g, sum.b + Cl.b};
+  }
+  *result = sum;
 }
 
 int32_t anysl_light_count(anysl_context *context) { return int32_t(context->args->light_count); }
 
-bool anysl_light_is_nondiffuse(anysl_context *context, int32_t index) {
-  return context->args->lights[index].flags & ANYSL_LIGHT_NONDIFFUSE;
+bool anysl_light_is_nondiffuse(anysl_context *context, int32_t index, const anysl_point *P,
+                               const anysl_normal *N) {
+  return anysl::lightFlag(context, index, P, N, ANYSL_LIGHT_NONDIFFUSE, "__nondiffuse");
 }
 
-bool anysl_light_is_nonspecular(anysl_context *context, int32_t index) {
-  return context->args->lights[index].flags & ANYSL_LIGHT_NONSPECULAR;
+bool anysl_light_is_nonspecular(anysl_context *context, int32_t index, const anysl_point *P,
+                                const anysl_normal *N) {
+  return anysl::lightFlag(context, index, P, N, ANYSL_LIGHT_NONSPECULAR, "__nonspecular");
+}
+
+bool anysl_light_in_category(anysl_context *context, int32_t index, const anysl_string *wanted) {
+  const char *text = *wanted;
+  if (!text || !*text)
+    return true;
+  bool isNegative = *text == '-';
+  const char *categories = context->args->lights[index].category;
+  return anysl::haveCommonName(categories, text + isNegative) != isNegative;
 }
 
 bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point *P,
-                        anysl_vector *L, anysl_color *Cl) {
+                        const anysl_normal *N, anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
   using namespace anysl;
   const AnyslLight &light = context->args->lights[index];
+  anysl_float zero(0), one(1);
+  *Ol = {one, one, one};
+  if (light.kind == ANYSL_LIGHT_SHADER) {
+    *L = {zero, zero, zero};
+    *Cl = {zero, zero, zero};
+    if (light.flags & ANYSL_LIGHT_AMBIENT)
+      return false;
+    askLight(context, index, *P, *N, *L, *Cl, *Ol);
+    *Cl = *Cl * colorFrom(light.color);
+    return int(valueOf(L->x) != 0) | int(valueOf(L->y) != 0) | int(valueOf(L->z) != 0);
+  }
   anysl_vector direction = vectorFrom(light.direction);
   anysl_vector toLight = vectorFrom(light.from) - *P;
   anysl_float strength(1);
@@ -84,7 +170,6 @@ bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point
     reaches = false;
   }
   anysl_color color = colorFrom(light.color) * strength;
-  anysl_float zero(0);
   *L = toLight;
   *Cl = {select(reaches, color.r, zero), select(reaches, color.g, zero),
          select(reaches, color.b, zero)};
@@ -94,7 +179,7 @@ bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point
 /// An operator of its own, so that only those points send a ray which the light reaches and which
 /// face it.
 void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point *P,
-                        anysl_color *Cl) {
+                        const anysl_vector *L, anysl_color *Cl) {
   using namespace anysl;
   const AnyslLight &light = context->args->lights[index];
   if (!(light.flags & ANYSL_LIGHT_CASTS_SHADOW))
@@ -102,9 +187,91 @@ void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point
   anysl_vector from = vectorFrom(light.from);
   if (light.kind == ANYSL_LIGHT_DISTANT)
     from = *P - vectorFrom(light.direction) * anysl_float(distantLightDistance);
+  if (light.kind == ANYSL_LIGHT_SHADER) {
+    anysl_float far = divide(anysl_float(distantLightDistance), lengthOf(L->x, L->y, L->z));
+    from = *P + *L * (light.flags & ANYSL_LIGHT_FAR ? far : anysl_float(1));
+  }
   anysl_color passing;
   anysl_transmission(&passing, context, P, &from);
   *Cl = *Cl * passing;
+}
+
+//===-- Parameters of light shaders -----------------------------------------------------------===//
+
+bool anysl_light_float(anysl_context *context, int32_t index, const anysl_point *P,
+                       const anysl_normal *N, const anysl_string *name, anysl_float *value) {
+  AnyslCell cell;
+  return anysl::lightValue(context, index, P, N, *name, ANYSL_FLOAT, &cell,
+                           [&] { *value = anysl_float(cell.number); });
+}
+
+bool anysl_light_color(anysl_context *context, int32_t index, const anysl_point *P,
+                       const anysl_normal *N, const anysl_string *name, anysl_color *value) {
+  AnyslCell cells[3];
+  return anysl::lightValue(context, index, P, N, *name, ANYSL_COLOR, cells, [&] {
+    *value = {anysl_float(cells[0].number), anysl_float(cells[1].number),
+              anysl_float(cells[2].number)};
+  });
+}
+
+bool anysl_light_vector(anysl_context *context, int32_t index, const anysl_point *P,
+                        const anysl_normal *N, const anysl_string *name, anysl_vector *value) {
+  AnyslCell cells[3];
+  return anysl::lightValue(context, index, P, N, *name, ANYSL_VECTOR, cells, [&] {
+    *value = {anysl_float(cells[0].number), anysl_float(cells[1].number),
+              anysl_float(cells[2].number)};
+  });
+}
+
+bool anysl_light_matrix(anysl_context *context, int32_t index, const anysl_point *P,
+                        const anysl_normal *N, const anysl_string *name, anysl_matrix *value) {
+  AnyslCell cells[16];
+  return anysl::lightValue(context, index, P, N, *name, ANYSL_MATRIX, cells, [&] {
+    anysl::repeat<16>([&](auto k) { value->m[k / 4][k % 4] = anysl_float(cells[int(k)].number); });
+  });
+}
+
+bool anysl_light_string(anysl_context *context, int32_t index, const anysl_point *P,
+                        const anysl_normal *N, const anysl_string *name, anysl_string *value) {
+  AnyslCell cell;
+  return anysl::lightValue(context, index, P, N, *name, ANYSL_STRING, &cell,
+                           [&] { *value = cell.string; });
+}
+
+bool anysl::askLightValue(const AnyslShadeArgs *args, uint32_t point, uint32_t light, double px,
+                          double py, double pz, double nx, double ny, double nz, const char *name,
+                          uint32_t type, AnyslCell *value) {
+  double P[3] = {px, py, pz}, N[3] = {nx, ny, nz};
+  const AnyslServices *services = args->services;
+  return services->light_value && name &&
+         services->light_value(args->renderer, args, point, light, P, N, name, type, value);
+}
+
+bool anysl::haveCommonName(const char *a, const char *b) {
+  if (!a || !b)
+    return false;
+  auto endOf = [](const char *name) {
+    while (*name && *name != ',')
+      ++name;
+    return name;
+  };
+  for (const char *i = a;; ++i) {
+    const char *iEnd = endOf(i);
+    for (const char *k = b;; ++k) {
+      const char *kEnd = endOf(k);
+      const char *p = i, *q = k;
+      while (p != iEnd && q != kEnd && *p == *q)
+        ++p, ++q;
+      if (p == iEnd && q == kEnd && i != iEnd)
+        return true;
+      k = kEnd;
+      if (!*k)
+        break;
+    }
+    i = iEnd;
+    if (!*i)
+      return false;
+  }
 }
 
 #endif // ANYSL_STANDARD_LIGHTS_H

@@ -74,7 +74,7 @@ bool anysl_param_is_set(anysl_context *context, uint32_t id) {
 
 bool anysl_param_is_bound(anysl_context *context, uint32_t id) {
   void *const *data = context->args->param_data;
-  return data && data[id];
+  return data && data[id] && !(context->args->param_is_set[id] & ANYSL_PARAM_ONLY_OUT);
 }
 
 #endif // ANYSL_STANDARD_PARAMS_H

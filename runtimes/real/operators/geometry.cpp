@@ -41,6 +41,8 @@ bool anysl_in_cone(const anysl_vector *L, const anysl_vector *axis, const anysl_
   return dot(*L, *axis) >= bound;
 }
 
+void anysl_solar_direction(anysl_vector *result, const anysl_vector *axis) { *result = *axis; }
+
 void anysl_transform_point(anysl_vector *result, const anysl_matrix *matrix,
                            const anysl_vector *p) {
   const auto &m = matrix->m;

@@ -11,6 +11,8 @@ The shader's comments say what to do:
     // REALS: float                        only these, where the numbers depend on the format
     // EXPECT a: 0.5 0.25 1                what `a` is at every point (a number, or components)
 
+An option `--print NAME` adds to PRINT.
+
 Within a runtime and real, all widths give the same bits. Between runtimes, and between float and double, numbers
 agree to 1e-5; so do expected ones, and to 1e-9 in double.
 """
@@ -60,6 +62,10 @@ arguments = options + [word for line in re.findall(r"// ARGS: (.*)", text) for w
 parameters = [word for line in re.findall(r"// PARAM: (.*)", text) for word in shlex.split(line)]
 expected = {name: [float(x) for x in values.split()] for name, values in re.findall(r"// EXPECT (\w+): (.*)", text)}
 names = [word for line in re.findall(r"// PRINT: (.*)", text) for word in line.split()]
+while "--print" in arguments:
+    at = arguments.index("--print")
+    names.append(arguments[at + 1])
+    del arguments[at:at + 2]
 names += [name for name in expected if name not in names]
 names = names or ["Ci"]
 reals = re.findall(r"// REALS: (.*)", text)

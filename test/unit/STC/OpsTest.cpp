@@ -48,7 +48,7 @@ TEST_CASE("function types follow from the table") {
   auto *pointer = llvm::PointerType::getUnqual(context);
   auto *sample = functionType(context, info(Op::light_sample));
   CHECK(sample->getReturnType()->isIntegerTy(1));
-  REQUIRE(sample->getNumParams() == 5);
+  REQUIRE(sample->getNumParams() == 7);
   CHECK(sample->getParamType(0) == pointer);
   CHECK(sample->getParamType(1)->isIntegerTy(32));
   CHECK(functionType(context, info(Op::const_float))->getParamType(1)->isDoubleTy());

@@ -24,7 +24,7 @@ TEST_CASE("every built-in gives its operator what that takes") {
     const stc::OpInfo &op = stc::info(builtin.op);
     bool isTest = op.result == stc::ResultKind::Test;
     CHECK(isTest == (builtin.result == TypeKind::Bool));
-    size_t next = 0;
+    size_t next = 0, followers = 0;
     bool needsResult = !isTest && builtin.result != TypeKind::Void;
     for (const stc::OpParam &param : op.params) {
       if (param.kind == stc::ParamKind::Ctx)
@@ -33,6 +33,12 @@ TEST_CASE("every built-in gives its operator what that takes") {
         needsResult = false;
         CHECK(param.kind == stc::ParamKind::Out);
         CHECK(agree(builtin.result, param.type));
+        continue;
+      }
+      if (followers) {
+        --followers;
+        CHECK(param.kind == stc::ParamKind::In);
+        CHECK(Type{typeKindOf(param.type)}.isGeometric());
         continue;
       }
       REQUIRE(next < builtin.operands.size());
@@ -72,7 +78,9 @@ TEST_CASE("every built-in gives its operator what that takes") {
         CHECK(param.kind == stc::ParamKind::Out);
         break;
       case BuiltinOperand::Light:
+        // Its number, and behind it the position and the normal that it lights.
         CHECK(param.kind == stc::ParamKind::Index);
+        followers = 2;
         break;
       case BuiltinOperand::SpaceTo:
       case BuiltinOperand::SpaceFromTo:

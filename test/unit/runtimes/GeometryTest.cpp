@@ -87,6 +87,10 @@ TEST_CASE("a direction is in a cone up to its angle") {
   CHECK_FALSE(inCone({0, 0, -1}, 90));
 }
 
+TEST_CASE("light from far away comes along the axis as it is") {
+  checkVector(call<anysl_solar_direction>(anysl_vector(1, -2, 3)), 1, -2, 3);
+}
+
 TEST_CASE("points, vectors and normals are transformed each in its own way") {
   // Row vectors: the last row translates.
   anysl_matrix m = {{{2, 0, 0, 0}, {0, 4, 0, 0}, {0, 1, 1, 0}, {10, 20, 30, 1}}};

@@ -18,8 +18,8 @@ color mix(color a; color b; float x) { return (1 - x) * a + x * b; }
 // A plain `P` is the operator's operand, although the signature of diffuse(N) does not show it.
 // CHECK: define void @anysl_diffuse(ptr %result, ptr %ctx, ptr %P, ptr %N)
 // CHECK-NOT: load_global
-// CHECK: call i1 @anysl_light_sample(ptr %ctx, i32 %light, ptr %{{[0-9]+}}, ptr %L, ptr %Cl)
-// CHECK: call i1 @anysl_light_is_nondiffuse(ptr %ctx, i32 %light)
+// CHECK: call i1 @anysl_light_sample(ptr %ctx, i32 %light, ptr [[P:%[0-9]+]], ptr [[N:%[0-9]+]], ptr %L, ptr %Cl, ptr %Ol)
+// CHECK: call i1 @anysl_light_is_nondiffuse(ptr %ctx, i32 %light, ptr [[P]], ptr [[N]])
 color diffuse(normal N) {
   color sum = 0;
   illuminance(P, N, PI / 2)

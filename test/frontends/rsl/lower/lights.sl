@@ -10,10 +10,10 @@ surface lit(float nolight = 1) {
   // CHECK: [[COUNT:%[0-9]+]] = call i32 @anysl_light_count(ptr %ctx)
   // CHECK: %light = phi i32 [ 0, %entry ], [ [[NEXT:%[0-9]+]], %light.next ]
   // CHECK: icmp ult i32 %light, [[COUNT]]
-  // CHECK: [[HIT:%[0-9]+]] = call i1 @anysl_light_sample(ptr %ctx, i32 %light, ptr [[P:%[0-9]+]], ptr %L, ptr %Cl)
-  // CHECK: [[IN:%[0-9]+]] = call i1 @anysl_in_cone(ptr %L, ptr [[N:%[0-9]+]], ptr %{{[0-9]+}})
+  // CHECK: [[HIT:%[0-9]+]] = call i1 @anysl_light_sample(ptr %ctx, i32 %light, ptr [[P:%[0-9]+]], ptr [[N:%[0-9]+]], ptr %L, ptr %Cl, ptr %Ol)
+  // CHECK: [[IN:%[0-9]+]] = call i1 @anysl_in_cone(ptr %L, ptr [[N]], ptr %{{[0-9]+}})
   // CHECK: and i1 [[HIT]], [[IN]]
-  // CHECK: call void @anysl_light_shadow(ptr %ctx, i32 %light, ptr [[P]], ptr %Cl)
+  // CHECK: call void @anysl_light_shadow(ptr %ctx, i32 %light, ptr [[P]], ptr %L, ptr %Cl)
   // CHECK: normalize(ptr [[UNIT:%[0-9]+]], ptr %L)
   // CHECK: light.next:
   // CHECK: [[NEXT]] = add i32 %light, 1
@@ -22,19 +22,24 @@ surface lit(float nolight = 1) {
     if (comp(Ci, 0) > 10)
       break;
   }
-  illuminance("", P) Ci += Cl;
+  // CHECK: light.belongs:
+  // CHECK: call i1 @anysl_light_in_category(ptr %ctx, i32 %light{{[0-9]*}}, ptr %{{[0-9]+}})
+  illuminance("-key", P) Ci += Cl;
   // CHECK-NOT: load_global_vector(ptr %L
 }
 
 light spot(float intensity = 1; color lightcolor = 1; point from = point "shader" (0, 0, 0);
            vector axis = (0, 0, 1); float angle = 0.5) {
   // CHECK-LABEL: define void @spot(
+  // CHECK: copy_vector(ptr %L
   // CHECK: sub_vector(ptr [[TO:%[0-9]+]], ptr %Ps, ptr %from)
-  // CHECK: copy_vector(ptr %L, ptr [[TO]])
   // CHECK: in_cone(ptr [[TO]], ptr %{{[0-9]+}}, ptr %{{[0-9]+}})
+  // CHECK: lit:
+  // CHECK: copy_vector(ptr %L, ptr [[TO]])
   illuminate(from, axis, angle) {
     Cl = intensity * lightcolor / (L . L);
   }
+  // CHECK: eq_vector(ptr %L
   // CHECK: unlit:
   // CHECK: copy_color(ptr %Cl
   // CHECK: store_global_vector(ptr %ctx, i32 20, ptr %L)
@@ -47,7 +52,8 @@ light spot(float intensity = 1; color lightcolor = 1; point from = point "shader
 
 light sun(vector to = (0, -1, 0)) {
   // CHECK-LABEL: define void @sun(
-  // CHECK: copy_vector(ptr %L
+  // CHECK: solar_direction(ptr [[TO:%[0-9]+]], ptr %{{[0-9]+}})
+  // CHECK: copy_vector(ptr %L, ptr [[TO]])
   solar(to, 0) { Cl = 1; }
 }
 

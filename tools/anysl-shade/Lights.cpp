@@ -1,0 +1,188 @@
+//===-- tools/anysl-shade/Lights.cpp - the lights of the command line -------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-shade/Lights.h"
+#include <algorithm>
+
+namespace anysl::shade {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+[[noreturn]] void fail(const std::string &message) { throw UserError(message); }
+
+uint32_t flagNamed(const std::string &name) {
+  return name == "shadow"        ? ANYSL_LIGHT_CASTS_SHADOW
+         : name == "nondiffuse"  ? ANYSL_LIGHT_NONDIFFUSE
+         : name == "nonspecular" ? ANYSL_LIGHT_NONSPECULAR
+                                 : 0;
+}
+
+/// A light of a standard kind as it is described.
+struct StandardText {
+  std::string kind;
+  uint32_t number = 0; ///< AnyslLightKind; 0: ambient
+  AnyslStandardLight values;
+  std::vector<double> direction;
+  std::string category;
+  uint32_t flags = 0;
+};
+
+/// The kinds by both of their names; those that end in "light" have the standard's parameters.
+uint32_t kindNamed(const std::string &name, bool &known, bool &standardNames) {
+  static const char *const kinds[] = {"ambient", "distant", "point", "spot"};
+  for (uint32_t kind = 0; kind < 4; ++kind) {
+    standardNames = name == std::string(kinds[kind]) + "light";
+    if ((known = standardNames || name == kinds[kind]))
+      return kind;
+  }
+  return 0;
+}
+
+void readKey(StandardText &light, const std::string &part, bool standardNames) {
+  if (uint32_t flag = flagNamed(part)) {
+    light.flags |= flag;
+    return;
+  }
+  auto [key, value] = parseAssignment(part, "--light");
+  if (key == "category" || key == "__category") {
+    light.category = value;
+    return;
+  }
+  std::vector<double> numbers = parseNumbers(value, "--light");
+  bool positioned = light.number >= ANYSL_LIGHT_POINT, aimed = light.number != ANYSL_LIGHT_POINT;
+  bool spot = light.number == ANYSL_LIGHT_SPOT, ambient = light.number == 0;
+  AnyslStandardLight &v = light.values;
+  if (key == "direction" && !standardNames && aimed && !ambient) {
+    if (numbers.size() != 3)
+      fail("'direction' of --light wants 3 numbers");
+    light.direction = numbers;
+    return;
+  }
+  struct Key {
+    const char *name, *standardName;
+    float *target;
+    size_t count;
+    double scale;
+    bool allowed;
+  } const keys[] = {
+      {"color", "lightcolor", v.color, 3, 1, true},
+      {"intensity", "intensity", &v.intensity, 1, 1, true},
+      {"from", "from", v.from, 3, 1, positioned || (standardNames && !ambient)},
+      {"to", "to", v.to, 3, 1, spot || (standardNames && aimed && !ambient)},
+      {"cone", "coneangle", &v.cone_angle, 1, standardNames ? 1 : degree, spot},
+      {"delta", "conedeltaangle", &v.cone_delta_angle, 1, standardNames ? 1 : degree, spot},
+      {"beam", "beamdistribution", &v.beam_distribution, 1, 1, spot}};
+  for (const Key &known : keys) {
+    if (key != (standardNames ? known.standardName : known.name) || !known.allowed)
+      continue;
+    if (numbers.size() != known.count)
+      fail("'" + key + "' of --light wants " + (known.count == 3 ? "3 numbers" : "1 number"));
+    for (size_t i = 0; i < known.count; ++i)
+      known.target[i] = float(numbers[i] * known.scale);
+    if (key == "to")
+      light.direction.clear();
+    return;
+  }
+  fail("--light " + light.kind + " has no '" + key + "'");
+}
+
+} // namespace
+
+Lights::Lights(const std::vector<std::string> &descriptions, const AnyslServices &services,
+               const Environment &world) {
+  for (const std::string &description : descriptions)
+    add(description, services, world);
+}
+
+uint64_t Lights::globals() const {
+  return anysl_lights_globals(lights.data(), uint32_t(lights.size()));
+}
+
+void Lights::shineOn(AnyslBatch *batch) const {
+  anysl_batch_set_lights(batch, lights.data(), uint32_t(lights.size()), ambient);
+}
+
+void Lights::add(const std::string &description, const AnyslServices &services,
+                 const Environment &world) {
+  std::vector<std::string> parts = split(description, ':');
+  bool isFile = parts[0].find('/') != std::string::npos ||
+                (parts[0].size() > 3 && parts[0].compare(parts[0].size() - 3, 3, ".so") == 0);
+  if (isFile)
+    addShader(parts, services, world);
+  else
+    addStandard(parts);
+}
+
+void Lights::addStandard(const std::vector<std::string> &parts) {
+  StandardText text;
+  text.kind = parts[0];
+  bool known, standardNames;
+  text.number = kindNamed(parts[0], known, standardNames);
+  if (!known)
+    fail("--light is ambient, distant, point, spot or a shader library, not '" + parts[0] + "'");
+  anysl_standard_light_defaults(&text.values);
+  if (!standardNames) {
+    text.values.from[2] = 1;
+    text.direction = {0, 0, -1};
+  }
+  for (size_t i = 1; i < parts.size(); ++i)
+    readKey(text, parts[i], standardNames);
+  const AnyslStandardLight &values = text.values;
+  if (!text.number) {
+    for (int c = 0; c < 3; ++c)
+      ambient[c] += values.color[c] * values.intensity;
+    return;
+  }
+  // A direction that is given by itself does not go through a position's rounding.
+  AnyslStandardLight aimed = values;
+  const std::vector<double> &d = text.direction;
+  for (size_t c = 0; c < d.size(); ++c) {
+    aimed.from[c] = 0;
+    aimed.to[c] = float(d[c]);
+  }
+  AnyslLight light;
+  if (anysl_light_standard(text.number, &aimed, &light))
+    fail("the direction of --light " + text.kind + " is zero");
+  std::copy_n(values.from, 3, light.from);
+  light.flags = text.flags;
+  if (!text.category.empty())
+    light.category = categories.emplace_back(text.category).c_str();
+  lights.push_back(light);
+}
+
+void Lights::addShader(const std::vector<std::string> &parts, const AnyslServices &services,
+                       const Environment &world) {
+  Environment &environment = environments.emplace_back(world);
+  std::vector<ParamText> params;
+  std::optional<std::string> shader;
+  uint32_t flags = 0;
+  for (size_t i = 1; i < parts.size(); ++i) {
+    if (uint32_t flag = flagNamed(parts[i])) {
+      flags |= flag;
+    } else if (parts[i].find('=') == std::string::npos && i == 1) {
+      shader = parts[i];
+    } else {
+      auto [name, value] = parseAssignment(parts[i], "--light");
+      if (name == "space")
+        environment.toCurrent["shader"] = parseMatrix(value, "space of --light");
+      else
+        params.push_back({name, value});
+    }
+  }
+  LibraryHandle &library = libraries.emplace_back(openLibrary(parts[0]));
+  InstanceHandle &instance = instances.emplace_back(
+      makeInstance(library.get(), shader ? &*shader : nullptr, services, environment));
+  for (const ParamText &param : params)
+    setParam(instance.get(), param, "--light");
+  AnyslLight light;
+  check(anysl_light_from_instance(instance.get(), &light));
+  light.flags |= flags;
+  lights.push_back(light);
+}
+
+} // namespace anysl::shade

@@ -1,0 +1,44 @@
+//===-- tools/anysl-shade/Lights.h - the lights of the command line -------------------*- C++
+//-*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_TOOLS_ANYSL_SHADE_LIGHTS_H
+#define ANYSL_TOOLS_ANYSL_SHADE_LIGHTS_H
+
+#include "tools/anysl-shade/Handles.h"
+#include <list>
+
+namespace anysl::shade {
+
+class Lights {
+public:
+  /// Reads what --light gives, each by itself. Throws UserError.
+  Lights(const std::vector<std::string> &descriptions, const AnyslServices &services,
+         const Environment &world);
+
+  /// What the lights read of the surface.
+  uint64_t globals() const;
+  /// Sets the batch's lights. It must not outlive this.
+  void shineOn(AnyslBatch *batch) const;
+
+private:
+  void addStandard(const std::vector<std::string> &parts);
+  void addShader(const std::vector<std::string> &parts, const AnyslServices &services,
+                 const Environment &world);
+  void add(const std::string &description, const AnyslServices &services, const Environment &world);
+
+  std::vector<AnyslLight> lights;
+  float ambient[3] = {0, 0, 0};
+  std::list<std::string> categories;
+  std::list<Environment> environments; ///< of each light shader: with a space of its own
+  std::vector<LibraryHandle> libraries;
+  std::vector<InstanceHandle> instances;
+};
+
+} // namespace anysl::shade
+
+#endif
