@@ -61,6 +61,8 @@ RibToken RibLexer::word() {
   }
   if (static_cast<unsigned char>(c) >= 0x80)
     return binaryToken(static_cast<unsigned char>(c));
+  if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
+    throw UserError(location(position), "a byte that neither RIB's text nor its binary form has");
   throw UserError(location(position), std::string("unexpected character '") + c + "'");
 }
 

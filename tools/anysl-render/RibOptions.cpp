@@ -86,6 +86,15 @@ void RibState::display(RibArguments &arguments) {
   scene.outputs.push_back(std::move(output));
 }
 
+void RibState::displayChannel(RibArguments &arguments) {
+  std::string text = arguments.string("a channel"), name = text;
+  arguments.parameters();
+  if (text.find(' ') != text.npos) {
+    Declaration declaration = parseDeclaration(text, &name, arguments.where());
+    declarations.insert_or_assign(name, declaration);
+  }
+}
+
 void RibState::format(RibArguments &arguments) {
   auto n = arguments.numbers(3, "width, height and pixel aspect");
   // Negative numbers stand for the standard ones.

@@ -101,6 +101,7 @@ TEST_CASE("binary words that are cut short or unknown", "[rib]") {
   CHECK_THAT(errorOf(bytes("\310\1\177\300\0\0")),
              StartsWith("scene.rib:1:3: error: this is not a number"));
   CHECK_THAT(errorOf(bytes("\321")), StartsWith("scene.rib:1:1: error: a byte that neither"));
+  CHECK_THAT(errorOf(bytes("\0")), StartsWith("scene.rib:1:1: error: a byte that neither"));
   CHECK(errorOf(std::string(1 << 20, '\377')) == "no error");
 }
 
