@@ -77,7 +77,7 @@ CurveSegments::CurveSegments(const CurvesShape &given, const ParameterList &vari
                            : straight(place(0), place(1));
       for (Vec3d &p : segment.points)
         p = placement.toCamera.point(p);
-      auto radius = [&](size_t index) { return scale * width->numbers[index]; };
+      auto radius = [&](size_t index) { return scale * std::fabs(width->numbers[index]); };
       StorageClass storage = width ? width->declaration->storage : StorageClass::Constant;
       if (!width)
         segment.radii = straight(scale, scale);

@@ -31,6 +31,11 @@ public:
   /// The same for the curve from 0 to 1 of a function.
   uint32_t segments(const std::function<SurfaceFrame(double)> &curve) const;
 
+  /// Whether an edge between two places is longer than facets are meant to be.
+  bool isLong(Vec3d a, Vec3d b) const {
+    return edge > 0 && length(b - a) * camera.pixelsPerUnit((a + b) * 0.5) > 1.5 * edge;
+  }
+
   static constexpr uint32_t most = 1024;         ///< pieces of one curve
   static constexpr size_t mostFacets = 1u << 22; ///< of one shape, about
 

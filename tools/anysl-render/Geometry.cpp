@@ -60,7 +60,8 @@ void reportEmbreeError(void *, RTCError code, const char *message) {
 } // namespace
 
 Geometry::Geometry(const SceneDescription &description, const Camera &camera,
-                   std::span<const uint32_t> groupOfShape) {
+                   std::span<const uint32_t> groupOfShape,
+                   const std::function<void(uint32_t, Mesh &)> &displace) {
   device = rtcNewDevice(nullptr);
   if (!device)
     throw UserError("Embree cannot start on this machine");
@@ -77,6 +78,19 @@ Geometry::Geometry(const SceneDescription &description, const Camera &camera,
     SurfaceOwner owner{i, groupOfShape[i], &appearance};
     Placement placement(shape.objectToCamera, appearance);
     unsigned mask = rayMask(appearance, findParameter(shape.variables, "Os") != nullptr);
+    if (appearance.displacement >= 0 && displace) {
+      // Micropolygons, as other kinds of renderer have them: of ShadingRate pixels each.
+      Dicing fine = dicing;
+      fine.edge = std::sqrt(std::max(0.01, appearance.shadingRate));
+      if (std::unique_ptr<Mesh> mesh = tessellate(shape, placement, fine)) {
+        if (std::holds_alternative<PolygonShape>(shape.geometry))
+          refine(*mesh, fine);
+        mesh->itsOwner = owner;
+        displace(i, *mesh);
+        attach(std::move(mesh), mask);
+        continue;
+      }
+    }
     const auto *swept = std::get_if<QuadricShape>(&shape.geometry);
     if (swept && Quadric::isQuadric(*swept)) {
       auto &set = quadrics[mask];
@@ -210,10 +224,7 @@ void cornerTexture(const std::array<double, 8> &st, SurfacePoint &point) {
   point.dsdv = byV(0), point.dtdv = byV(1);
 }
 
-} // namespace
-
-void Geometry::evaluateTexture(const Hit &hit, bool derivatives, SurfacePoint &point) const {
-  const SurfaceSet &set = *sets[hit.geometry];
+void evaluateTexture(const SurfaceSet &set, const Hit &hit, bool derivatives, SurfacePoint &point) {
   if (set.hasUnitParameters()) {
     cornerTexture(set.owner(hit.primitive).appearance->textureCoordinates, point);
   } else { // a polygon's are its u and v
@@ -238,10 +249,11 @@ void Geometry::evaluateTexture(const Hit &hit, bool derivatives, SurfacePoint &p
   replace(variables.t, 0, point.t, point.dtdu, point.dtdv);
 }
 
-void Geometry::evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t needed,
-                        SurfacePoint &point) const {
+} // namespace
+
+void anysl::render::evaluateSurface(const SurfaceSet &set, const Hit &hit, Vec3f origin,
+                                    Vec3f direction, uint64_t needed, SurfacePoint &point) {
   constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
-  const SurfaceSet &set = *sets[hit.geometry];
   const Appearance &appearance = *set.owner(hit.primitive).appearance;
   const SurfaceVariables &variables = set.variables(hit.primitive);
   point.color = appearance.color;
@@ -255,7 +267,7 @@ void Geometry::evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t 
   point.frame.normal = normalized(point.frame.normal);
   normalize(point.normal, point.dNdu, point.dNdv);
   if (needs.texture || needs.derivatives)
-    evaluateTexture(hit, needs.derivatives, point);
+    evaluateTexture(set, hit, needs.derivatives, point);
   if (variables.color >= 0)
     point.color = triple(set, variables.list[size_t(variables.color)], hit, point);
   if (variables.opacity >= 0)

@@ -9,8 +9,9 @@
 #define ANYSL_RENDER_GEOMETRY_H
 
 #include "tools/anysl-render/Camera.h"
-#include "tools/anysl-render/Surface.h"
+#include "tools/anysl-render/Mesh.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -51,12 +52,19 @@ struct RayPacketType<16> {
   using Ray = RTCRay16;
 };
 
+/// Fills in what the bits of `needed` (1 << ANYSL_P ..., derivativesBit) ask for about a hit on a
+/// surface; P, Ng and offset always.
+void evaluateSurface(const SurfaceSet &set, const Hit &hit, Vec3f origin, Vec3f direction,
+                     uint64_t needed, SurfacePoint &point);
+
 /// All surfaces of a scene.
 class Geometry {
 public:
   /// `groupOfShape` says for each shape of the description which group its hits belong to.
+  /// `displace` moves the facets of a shape that has a displacement shader.
   Geometry(const SceneDescription &description, const Camera &camera,
-           std::span<const uint32_t> groupOfShape);
+           std::span<const uint32_t> groupOfShape,
+           const std::function<void(uint32_t shape, Mesh &)> &displace = nullptr);
   ~Geometry();
   Geometry(const Geometry &) = delete;
   Geometry &operator=(const Geometry &) = delete;
@@ -76,10 +84,11 @@ public:
   uint32_t groupOf(const Hit &hit) const;
   /// The shape that was hit: an index into the description.
   uint32_t shapeOf(const Hit &hit) const;
-  /// Fills in what the bits of `needed` (1 << ANYSL_P ..., derivativesBit) ask for; P, Ng and
-  /// offset always.
+  /// The same for one that a ray has met.
   void evaluate(const Hit &hit, Vec3f origin, Vec3f direction, uint64_t needed,
-                SurfacePoint &point) const;
+                SurfacePoint &point) const {
+    evaluateSurface(*sets[hit.geometry], hit, origin, direction, needed, point);
+  }
   /// The opacity at a hit, as a shadow ray asks for it.
   Vec3d opacityAt(const Hit &hit, Vec3f origin, Vec3f direction) const;
   /// The variables of the shape that was hit.
@@ -91,7 +100,6 @@ public:
 
 private:
   void attach(std::unique_ptr<SurfaceSet> set, unsigned mask);
-  void evaluateTexture(const Hit &hit, bool derivatives, SurfacePoint &point) const;
 
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;

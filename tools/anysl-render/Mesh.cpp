@@ -104,6 +104,26 @@ void Mesh::planarFrame(uint32_t triangle, SurfaceFrame &frame) const {
   }
 }
 
+SurfaceFrame Mesh::planarFrameAt(uint32_t triangle) const {
+  const auto &corner = triangles[triangle];
+  Vec3d p0(points[corner[0]]), p1(points[corner[1]]), p2(points[corner[2]]);
+  SurfaceFrame frame;
+  frame.P = p0;
+  frame.normal = cross(p1 - p0, p2 - p0) * placement.normalSign;
+  planarFrame(triangle, frame);
+  return frame;
+}
+
+double Mesh::tangents(uint32_t triangle, Vec3d &byU, Vec3d &byV) const {
+  const auto &corner = triangles[triangle];
+  Vec3d p0(points[corner[0]]), p1(points[corner[1]]), p2(points[corner[2]]);
+  Vec3d toB, toC;
+  if (!parameterEdges(triangle, toB, toC))
+    return 0;
+  solve(toB, toC, p1 - p0, p2 - p0, byU, byV);
+  return length(cross(p1 - p0, p2 - p0));
+}
+
 void Mesh::evaluate(const Hit &hit, Vec3f, Vec3f, const SurfaceNeeds &needs,
                     SurfacePoint &point) const {
   uint32_t triangle = hit.primitive;

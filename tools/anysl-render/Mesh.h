@@ -21,7 +21,7 @@ public:
   explicit Mesh(const Placement &placement) : placement(placement) {}
 
   RTCGeometry make(RTCDevice device) override;
-  bool hasUnitParameters() const override { return !parameters.empty(); }
+  bool hasUnitParameters() const override { return unitParameters && !parameters.empty(); }
   void evaluate(const Hit &hit, Vec3f origin, Vec3f direction, const SurfaceNeeds &needs,
                 SurfacePoint &point) const override;
   void interpolate(const Variable &variable, const Hit &hit, const SurfacePoint &point,
@@ -32,7 +32,14 @@ public:
   /// Adds a triangle of points that are at the same time its corners.
   void addTriangle(uint32_t a, uint32_t b, uint32_t c) { triangles.push_back({a, b, c}); }
 
+  /// dPdu and dPdv of a triangle, as its corners' places and parameters have them, and how much it
+  /// weighs among others; 0 where its parameters tell nothing.
+  double tangents(uint32_t triangle, Vec3d &byU, Vec3d &byV) const;
+  /// The frame of a triangle whose parameters are x and y of the object.
+  SurfaceFrame planarFrameAt(uint32_t triangle) const;
+
   Placement placement;
+  bool unitParameters = true; ///< they run over the unit square, if there are any
   std::vector<Vec3f> points;
   std::vector<std::array<uint32_t, 3>> triangles; ///< indices into points
   std::vector<std::array<uint32_t, 3>> corners;   ///< of each triangle; empty: as `triangles`

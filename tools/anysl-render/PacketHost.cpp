@@ -14,6 +14,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Host.h"
+#include "tools/anysl-render/ParameterArrays.h"
 #include "tools/anysl-render/Pictures.h"
 
 #include <algorithm>
@@ -160,9 +161,9 @@ public:
 
 private:
   void shade(ThreadState &state, const Members &members, const Outcome &outcome) const;
-  /// Runs a shader. `outputs` has an array for each of its parameters, or is null.
+  /// Runs a shader; `values` may be null.
   void run(const Shader &shader, PacketBatch &batch, uint32_t count, const GlobalArrays &globals,
-           float *const *outputs) const;
+           const ParameterArrays<float> *values) const;
 
   Scene theScene;
 };
@@ -336,11 +337,21 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
   GlobalArrays globals(state.arena, wanted, size, theScene);
   GlobalArrays volumeGlobals(state.arena, inVolume, size, theScene);
 
+  std::optional<ParameterArrays<float>> values;
+  if (shader)
+    values.emplace(state.arena, *shader, members.group.bound, members.channels != nullptr,
+                   ANYSL_LAYOUT_SOA, size);
+
   float *depths = state.arena.allocate<float>(size);
   for (uint32_t i = 0; i < count; ++i) {
     Ray ray = rays.rayOf(members.numbers[i]);
     SurfacePoint point;
-    geometry.evaluate(rays.hitOf(members.numbers[i]), ray.origin, ray.direction, needed, point);
+    Hit hit = rays.hitOf(members.numbers[i]);
+    geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
+    if (values && !members.group.bound.empty())
+      values->set(
+          i, theScene.bindingsOf(geometry.shapeOf(hit)),
+          [&](uint32_t variable, float *value) { geometry.variable(hit, point, variable, value); });
     if (needed & footprintBits)
       findFootprint(theScene.camera, members.depth == 0, ray.origin, ray.direction, point);
     starts.set(i, point);
@@ -361,16 +372,8 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
     traced[i] = 0;
   }
   PacketBatch batch{this, &state, &members.group, &starts, seeds, traced, members.depth};
-  float **outputs = nullptr;
-  if (shader && members.channels && !shader->outputs.empty()) {
-    outputs = state.arena.allocate<float *>(shader->info->param_count);
-    std::fill_n(outputs, shader->info->param_count, nullptr);
-    for (const Shader::Output &output : shader->outputs)
-      outputs[output.param] =
-          state.arena.allocate<float>(channels.list()[output.channel].components * size);
-  }
   if (shader)
-    run(*shader, batch, count, globals, outputs);
+    run(*shader, batch, count, globals, &*values);
 
   for (uint32_t i = 0; members.channels && i < count; ++i) {
     uint32_t target = rays.target[members.numbers[i]];
@@ -379,9 +382,7 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
         channels, shader, depths[i], outcome.passing[target], visible && !outcome.covered[target],
         members.channels + target * channels.size(),
         [&](int component) { return globals.component[component][i]; },
-        [&](size_t output, unsigned k) {
-          return outputs[shader->outputs[output].param][k * size + i];
-        });
+        [&](size_t output, unsigned k) { return values->output(shader->outputs[output], k, i); });
     outcome.covered[target] |= visible;
   }
   if (volume) {
@@ -414,22 +415,13 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
 
 template <unsigned W>
 void PacketHost<W>::run(const Shader &shader, PacketBatch &batch, uint32_t count,
-                        const GlobalArrays &globals, float *const *outputs) const {
+                        const GlobalArrays &globals, const ParameterArrays<float> *values) const {
   ThreadState &state = *batch.state;
   AnyslShadeArgs args = makeShadeArgs(shader, *batch.group, count, &batch);
   args.globals = reinterpret_cast<void *const *>(globals.component);
   args.seeds = batch.seeds;
-  if (outputs) {
-    args.param_data = reinterpret_cast<void *const *>(outputs);
-    args.data_stride = (size_t(count) + 15) / 16 * 16;
-    // An output that the shader never assigns has the parameter's value.
-    for (const Shader::Output &output : shader.outputs) {
-      const AnyslParamInfo &param = shader.info->params[output.param];
-      for (uint32_t k = 0; k < anysl_type_components(param.type); ++k)
-        std::fill_n(outputs[output.param] + k * args.data_stride, args.data_stride,
-                    float(args.params[param.first_cell + k].number));
-    }
-  }
+  if (values)
+    values->fill(args);
   state.counts.points += count;
   ++state.counts.batches;
   LightScope lights(args, *batch.group->lights);

@@ -95,6 +95,13 @@ void RibState::textureCoordinates(RibArguments &arguments) {
   std::copy(n.begin(), n.end(), state.appearance.textureCoordinates.begin());
 }
 
+void RibState::shadingRate(RibArguments &arguments) {
+  double rate = arguments.number("an area in pixels");
+  if (!(rate > 0))
+    throw UserError(arguments.where(), "ShadingRate: must be greater than 0");
+  state.appearance.shadingRate = rate;
+}
+
 void RibState::attribute(RibArguments &arguments) {
   std::string group = arguments.string("a name");
   const auto &before = state.appearance.attributes;

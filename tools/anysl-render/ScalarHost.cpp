@@ -11,6 +11,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Host.h"
+#include "tools/anysl-render/ParameterArrays.h"
 #include "tools/anysl-render/Pictures.h"
 
 #include <algorithm>
@@ -60,11 +61,11 @@ private:
                   float *channels) const;
   Vec3f transmission(ThreadState &state, const Ray &ray) const;
   template <typename Real>
-  void shade(PointBatch &batch, const SurfacePoint &point, const Ray &ray, const Shader *volume,
-             PointColors &colors, float *channels) const;
+  void shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
+             const Shader *volume, PointColors &colors, float *channels) const;
   template <typename Real>
   void run(const Shader &shader, const ShadingGroup &group, PointBatch &batch, Real *globals,
-           Real *const *outputs) const;
+           const ParameterArrays<Real> *values) const;
 
   static void serveTrace(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *,
                          double *);
@@ -140,9 +141,9 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
     batch.starts.set(0, point);
     if (theScene.real() == ANYSL_REAL_DOUBLE)
-      shade<double>(batch, point, ray, volume, colors, channels);
+      shade<double>(batch, hit, point, ray, volume, colors, channels);
     else
-      shade<float>(batch, point, ray, volume, colors, channels);
+      shade<float>(batch, hit, point, ray, volume, colors, channels);
     bool seen = !group.matte || depth > 0;
     if (seen)
       radiance.color += colors.passing * colors.Ci;
@@ -162,7 +163,7 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
 }
 
 template <typename Real>
-void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, const Ray &ray,
+void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
                        const Shader *volume, PointColors &colors, float *channels) const {
   const Shader *shader = batch.group->shader;
   Arena &arena = batch.state->arena;
@@ -174,16 +175,16 @@ void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, const Ray &
   uint64_t wanted = colorOutputs | lit | (shader ? shader->globals : 0) |
                     (channels ? theScene.channels().globals() : 0);
   storeGlobals(wanted, point, ray, ray.travelled, store);
-  Real **outputs = nullptr;
+  std::optional<ParameterArrays<Real>> values;
   if (shader) {
     storeUniformGlobals(wanted, theScene, store);
-    if (channels && !shader->outputs.empty()) {
-      outputs = arena.allocate<Real *>(shader->info->param_count);
-      std::fill_n(outputs, shader->info->param_count, nullptr);
-      for (const Shader::Output &output : shader->outputs)
-        outputs[output.param] = arena.allocate<Real>(16 * 16);
-    }
-    run(*shader, *batch.group, batch, globals, outputs);
+    values.emplace(arena, *shader, batch.group->bound, channels != nullptr, ANYSL_LAYOUT_AOS, 16);
+    if (!batch.group->bound.empty())
+      values->set(0, theScene.bindingsOf(theScene.geometry().shapeOf(hit)),
+                  [&](uint32_t variable, float *value) {
+                    theScene.geometry().variable(hit, point, variable, value);
+                  });
+    run(*shader, *batch.group, batch, globals, &*values);
   } else {
     Vec3f Ci = defaultSurface(point, ray.direction);
     for (int k = 0; k < 3; ++k)
@@ -198,7 +199,7 @@ void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, const Ray &
         theScene.channels(), shader, point.frame.P.z, colors.passing,
         colors.nearest && maxAbs(colors.Oi) > 0, channels,
         [&](int component) { return float(globals[component]); },
-        [&](size_t i, unsigned k) { return float(outputs[shader->outputs[i].param][k]); });
+        [&](size_t i, unsigned k) { return float(values->output(shader->outputs[i], k, 0)); });
   if (volume) {
     Real *inVolume = arena.allocate<Real>(16 * ANYSL_COMPONENT_COUNT);
     auto storeVolume = [inVolume](int component, double value) {
@@ -218,21 +219,13 @@ void ScalarHost::shade(PointBatch &batch, const SurfacePoint &point, const Ray &
 
 template <typename Real>
 void ScalarHost::run(const Shader &shader, const ShadingGroup &group, PointBatch &batch,
-                     Real *globals, Real *const *outputs) const {
+                     Real *globals, const ParameterArrays<Real> *values) const {
   AnyslShadeArgs args = makeShadeArgs(shader, group, 1, &batch);
   void *const arrays[1] = {globals};
   args.globals = arrays;
   args.seeds = &batch.seed;
-  if (outputs) {
-    args.param_data = reinterpret_cast<void *const *>(outputs);
-    args.data_stride = 16;
-    // An output that the shader never assigns has the parameter's value.
-    for (const Shader::Output &output : shader.outputs) {
-      const AnyslParamInfo &param = shader.info->params[output.param];
-      for (uint32_t k = 0; k < anysl_type_components(param.type); ++k)
-        outputs[output.param][k] = Real(args.params[param.first_cell + k].number);
-    }
-  }
+  if (values)
+    values->fill(args);
   ++batch.state->counts.points;
   ++batch.state->counts.batches;
   LightScope lights(args, *group.lights);

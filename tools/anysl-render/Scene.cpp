@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Scene.h"
+#include "tools/anysl-render/Displacement.h"
 
 #include "tools/anysl-render/Pictures.h"
 
@@ -28,8 +29,15 @@ Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const Anys
       textures(makePictures(given)), loader(*this, cache, layout, width, warnings),
       lights(given, cache, warnings) {
   loadShaders(services, warnings);
-  makeGroups(warnings);
-  surfaces = std::make_unique<Geometry>(description, camera, groupOfShape);
+  makeGroups(services, warnings);
+  auto move = [&](uint32_t index, Mesh &mesh) {
+    const Shape &shape = description.shapes[index];
+    int number = description.appearances[shape.appearance].displacement;
+    ShapeBindings found = bind(shape, *shaders[size_t(number)], warnings);
+    const Shader &shader = *specialise(number, found.constant, displacementServices, warnings);
+    displace(*this, shader, found.varying, shape, layout, mesh);
+  };
+  surfaces = std::make_unique<Geometry>(description, camera, groupOfShape, move);
 }
 
 void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
@@ -37,8 +45,8 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
   std::set<int> used;
   for (const Shape &shape : description.shapes) {
     const Appearance &appearance = description.appearances[shape.appearance];
-    used.insert(
-        {appearance.surface, appearance.atmosphere, appearance.interior, appearance.exterior});
+    used.insert({appearance.surface, appearance.displacement, appearance.atmosphere,
+                 appearance.interior, appearance.exterior});
   }
   used.insert(description.imager);
   used.erase(-1);
@@ -57,7 +65,9 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
   for (int index : used) {
     const ShaderUse &use = description.shaders[size_t(index)];
     shaders[size_t(index)] =
-        loader.make(use, use.kind == ShaderKind::Imager ? imagerServices : services);
+        loader.make(use, use.kind == ShaderKind::Imager         ? imagerServices
+                         : use.kind == ShaderKind::Displacement ? displacementServices
+                                                                : services);
   }
   wantedChannels = Channels(description, shaders, warnings);
 }
@@ -66,8 +76,41 @@ const Shader *Scene::imager() const {
   return description.imager < 0 ? nullptr : shaders[size_t(description.imager)].get();
 }
 
-void Scene::makeGroups(Warnings &warnings) {
-  using Key = std::tuple<std::array<int, 5>, const LightSet *, uint32_t>;
+const Shader *Scene::specialise(int index, const std::vector<Parameter> &constants,
+                                const AnyslServices &services, Warnings &warnings) {
+  const Shader *base = shaders[size_t(index)].get();
+  if (constants.empty())
+    return base;
+  std::string key = std::to_string(index);
+  for (const Parameter &constant : constants) {
+    key += '\n' + constant.name + ' ';
+    key.append(reinterpret_cast<const char *>(constant.numbers.data()),
+               constant.numbers.size() * sizeof(double));
+    for (const std::string &text : constant.strings)
+      key += text + '\n';
+  }
+  auto [entry, isNew] = specialised.try_emplace(std::move(key));
+  Specialised &made = entry->second;
+  if (isNew) {
+    made.use = description.shaders[size_t(index)];
+    for (const Parameter &constant : constants) {
+      std::erase_if(made.use.parameters,
+                    [&](const Parameter &other) { return other.name == constant.name; });
+      made.use.parameters.push_back(constant);
+    }
+    try {
+      made.shader = loader.make(made.use, services);
+      made.shader->outputs = base->outputs;
+    } catch (const UserError &error) {
+      warnings.warn(error.where, error.message);
+    }
+  }
+  return made.shader ? made.shader.get() : base;
+}
+
+void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
+  using Key = std::tuple<const Shader *, std::array<int, 5>, const LightSet *, uint32_t,
+                         std::vector<uint32_t>>;
   std::map<Key, uint32_t> known;
   constexpr uint32_t anyObject = ~uint32_t(0);
   auto shaderOf = [&](int index) { return index < 0 ? nullptr : shaders[size_t(index)].get(); };
@@ -82,12 +125,22 @@ void Scene::makeGroups(Warnings &warnings) {
     bool bySpace = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
       return shaderOf(index) && (shaderOf(index)->info->services & spacesService) != 0;
     });
-    Key key{indices, &set->second, bySpace ? i : anyObject};
+    const Shader *surface = shaderOf(appearance.surface);
+    ShapeBindings found;
+    if (surface) {
+      found = bind(shape, *surface, warnings);
+      surface = specialise(appearance.surface, found.constant, services, warnings);
+    }
+    std::vector<uint32_t> bound;
+    for (const Binding &binding : found.varying)
+      bound.push_back(binding.parameter);
+    Key key{surface, indices, &set->second, bySpace ? i : anyObject, std::move(bound)};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
     if (isNewGroup)
-      groups.push_back({shaderOf(indices[0]), shaderOf(indices[1]), shaderOf(indices[2]),
-                        shaderOf(indices[3]), &set->second, Space(shape.objectToCamera),
-                        appearance.matte});
+      groups.push_back({surface, shaderOf(indices[1]), shaderOf(indices[2]), shaderOf(indices[3]),
+                        &set->second, Space(shape.objectToCamera), appearance.matte,
+                        found.varying});
+    bindings.push_back(std::move(found.varying));
     groupOfShape.push_back(entry->second);
   }
 }

@@ -9,6 +9,7 @@
 #define ANYSL_RENDER_SCENE_H
 
 #include "lib/Textures/Textures.h"
+#include "tools/anysl-render/Bindings.h"
 #include "tools/anysl-render/Channels.h"
 #include "tools/anysl-render/Geometry.h"
 #include "tools/anysl-render/Lights.h"
@@ -25,6 +26,9 @@ struct ShadingGroup {
   const LightSet *lights = nullptr;
   Space object;
   bool matte = false; ///< hides what is behind it from the camera, and is transparent itself
+  /// Parameters of the surface shader that take their values from the shapes' variables, which each
+  /// shape has in its own places.
+  std::vector<Binding> bound;
 };
 
 /// What both hosts work on: surfaces in Embree, shaders with their values, lights, camera. It is
@@ -45,18 +49,29 @@ public:
   const Channels &channels() const { return wantedChannels; }
   const Shader *imager() const; ///< or null
   const ShadingGroup &group(uint32_t index) const { return groups[index]; }
+  /// Those of a shape, for the parameters that its group lists.
+  std::span<const Binding> bindingsOf(uint32_t shape) const { return bindings[shape]; }
   uint32_t groupCount() const { return uint32_t(groups.size()); }
   /// The number format of all the shaders' batches.
   AnyslReal real() const { return loader.real(); }
 
 private:
   void loadShaders(const AnyslServices &services, Warnings &warnings);
-  void makeGroups(Warnings &warnings);
+  void makeGroups(const AnyslServices &services, Warnings &warnings);
+  /// A shader with values of its own for some parameters; shapes with the same values share it.
+  const Shader *specialise(int index, const std::vector<Parameter> &constants,
+                           const AnyslServices &services, Warnings &warnings);
 
   std::unique_ptr<textures::Textures> textures;
   ShaderLoader loader;
   AnyslServices imagerServices = {};            ///< what makes sense without a scene's point
   std::vector<std::unique_ptr<Shader>> shaders; ///< as description.shaders; null where not used
+  struct Specialised {
+    ShaderUse use;
+    std::unique_ptr<Shader> shader;
+  };
+  std::map<std::string, Specialised> specialised; ///< by shader and values
+  std::vector<std::vector<Binding>> bindings;     ///< by shape
   Channels wantedChannels;
   SceneLights lights;
   std::map<std::vector<uint32_t>, LightSet> lightSets;

@@ -85,6 +85,7 @@ struct Appearance {
   bool reverseOrientation = false;
   bool matte = false; ///< to the camera it hides what is behind, and is transparent itself
   int sides = 2;
+  double shadingRate = 1; ///< size of displaced facets, in square pixels
   Visibility visibility;
   std::vector<uint32_t> lights; ///< those that shine on it: indices into SceneDescription::lights
   std::array<double, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1}; ///< s t at the (u, v) corners

@@ -23,11 +23,13 @@ static_assert(int(ShaderKind::Surface) == ANYSL_SURFACE && int(ShaderKind::Light
               int(ShaderKind::Volume) == ANYSL_VOLUME && int(ShaderKind::Imager) == ANYSL_IMAGER);
 
 bool isTriple(ValueType type) {
-  return type == ValueType::Point || type == ValueType::Vector || type == ValueType::Normal;
+  return type == ValueType::Point || type == ValueType::Vector || type == ValueType::Normal ||
+         type == ValueType::HPoint;
 }
 
-/// Whether a value declared in the scene may go into a shader's parameter.
-bool fits(ValueType declared, uint32_t wanted) {
+} // namespace
+
+bool anysl::render::fits(ValueType declared, uint32_t wanted) {
   switch (wanted) {
   case ANYSL_FLOAT:
     return declared == ValueType::Float;
@@ -41,6 +43,8 @@ bool fits(ValueType declared, uint32_t wanted) {
     return isTriple(declared);
   }
 }
+
+namespace {
 
 /// Of a file that may hold several shaders, the one of the request's kind that has the file's name,
 /// or that is the only one of its kind.

@@ -44,6 +44,9 @@ struct Shader {
   std::vector<Output> outputs;
 };
 
+/// Whether a value declared in the scene may go into a shader's parameter of an AnyslType.
+bool fits(ValueType declared, uint32_t wanted);
+
 /// Opens shader libraries, each file once, and makes shaders of them.
 class ShaderLoader {
 public:

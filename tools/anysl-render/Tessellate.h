@@ -33,6 +33,9 @@ std::unique_ptr<Mesh> tessellate(const SubdivisionShape &shape, const ParameterL
 std::unique_ptr<Mesh> tessellate(const CurvesShape &shape, const ParameterList &variables,
                                  const Placement &placement, const Dicing &dicing);
 
+/// Cuts the facets of polygons into finer ones of the size that displaced surfaces have.
+void refine(Mesh &mesh, const Dicing &dicing);
+
 /// The facets of any shape that has some; null for one that has not, as points.
 std::unique_ptr<Mesh> tessellate(const Shape &shape, const Placement &placement,
                                  const Dicing &dicing);

@@ -191,3 +191,24 @@ TEST_CASE("a quadric's variables lie at the corners of u and v", "[polygon]") {
   CHECK(maxAbs(point->dNdu - point->frame.dPdu * outside) < 1e-6);
   CHECK(maxAbs(point->dNdv - point->frame.dPdv * outside) < 1e-6);
 }
+
+TEST_CASE("facets of polygons are cut finely without cracks", "[polygon]") {
+  TestScene scene("Format 200 200 1 WorldBegin Translate 0 0 4 PointsPolygons [4 4 4 4 4 4] "
+                  "[0 2 3 1  4 5 7 6  0 1 5 4  2 6 7 3  0 4 6 2  1 3 7 5] "
+                  "\"P\" [-1 -1 -1  1 -1 -1  -1 1 -1  1 1 -1  -1 -1 1  1 -1 1  -1 1 1  1 1 1] "
+                  "\"varying float y\" [-1 -1 1 1 -1 -1 1 1] WorldEnd");
+  auto mesh = facets(scene);
+  Camera camera(scene.description.camera);
+  Dicing dicing(camera);
+  dicing.edge = 10; // a unit is 100 pixels
+  refine(*mesh, dicing);
+  CHECK(mesh->triangles.size() > 2000);
+  CHECK(openEdges(*mesh) == 0);
+  CHECK(area(*mesh) == Approx(24).epsilon(1e-6));
+  for (const auto &triangle : mesh->triangles)
+    for (size_t k = 0; k < 3; ++k) {
+      Vec3d a(mesh->points[triangle[k]]), b(mesh->points[triangle[(k + 1) % 3]]);
+      CHECK(length(b - a) < 0.151);
+      CHECK(mesh->values.list.at(0).at(triangle[k])[0] == Approx(a.y).margin(1e-6));
+    }
+}

@@ -32,17 +32,6 @@ double distanceToPoint(const Mesh &mesh, Vec3d place) {
   return nearest;
 }
 
-size_t openEdges(const Mesh &mesh) {
-  std::map<std::pair<uint32_t, uint32_t>, int> edges;
-  for (const auto &triangle : mesh.triangles)
-    for (size_t k = 0; k < 3; ++k)
-      ++edges[std::minmax(triangle[k], triangle[(k + 1) % 3])];
-  size_t open = 0;
-  for (const auto &[edge, count] : edges)
-    open += count != 2;
-  return open;
-}
-
 Vec3d component(const Variable &variable, size_t corner) {
   const float *v = variable.at(corner);
   return {v[0], v[1], v[2]};

@@ -83,6 +83,18 @@ inline double area(const Mesh &mesh) {
   return sum;
 }
 
+/// How many edges do not belong to two facets.
+inline size_t openEdges(const Mesh &mesh) {
+  std::map<std::pair<uint32_t, uint32_t>, int> edges;
+  for (const auto &triangle : mesh.triangles)
+    for (size_t k = 0; k < 3; ++k)
+      ++edges[std::minmax(triangle[k], triangle[(k + 1) % 3])];
+  size_t open = 0;
+  for (const auto &[edge, count] : edges)
+    open += count != 2;
+  return open;
+}
+
 } // namespace anysl::render
 
 #endif

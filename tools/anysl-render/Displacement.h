@@ -1,0 +1,30 @@
+//===-- tools/anysl-render/Displacement.h - surfaces moved by shaders -------------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_DISPLACEMENT_H
+#define ANYSL_RENDER_DISPLACEMENT_H
+
+#include "tools/anysl-render/Scene.h"
+
+namespace anysl::render {
+
+/// What a displacement shader may ask its renderer for: pictures, and named spaces, with
+/// AnyslShadeArgs::batch pointing to the object's. There is nothing to trace yet.
+extern const AnyslServices displacementServices;
+
+/// Moves a mesh's points to where a displacement shader puts them, and gives it the normals and
+/// derivatives that belong there. Corners at a point go together: to the mean of where each would
+/// go, so that the mesh stays whole.
+///
+/// Where the shader assigns N, the normals are those of the moved surface, or, if it leaves P in
+/// its place, the shader's; otherwise they stay what they were.
+void displace(const Scene &scene, const Shader &shader, std::span<const Binding> bound,
+              const Shape &shape, AnyslLayout layout, Mesh &mesh);
+
+} // namespace anysl::render
+
+#endif

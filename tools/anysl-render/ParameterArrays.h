@@ -1,0 +1,93 @@
+//===-- tools/anysl-render/ParameterArrays.h - parameters point by point ----------*- C++ -*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_PARAMETERARRAYS_H
+#define ANYSL_RENDER_PARAMETERARRAYS_H
+
+#include "tools/anysl-render/Host.h"
+
+#include <algorithm>
+
+namespace anysl::render {
+
+/// The values of a shader's parameters that differ from point to point: those that come from
+/// variables of the surface, and outputs.
+template <typename Real>
+class ParameterArrays {
+public:
+  /// Room for `stride` points, with outputs where the shader is asked for them.
+  ParameterArrays(Arena &arena, const Shader &shader, std::span<const Binding> bound,
+                  bool withOutputs, AnyslLayout layout, size_t stride)
+      : shader(shader), bound(bound), layout(layout), stride(stride) {
+    if (bound.empty() && !(withOutputs && !shader.outputs.empty()))
+      return;
+    arrays = arena.allocate<Real *>(shader.info->param_count);
+    std::fill_n(arrays, shader.info->param_count, nullptr);
+    AnyslShadeArgs args;
+    anysl_instance_fill_args(shader.instance.get(), &args);
+    for (const Shader::Output &output : shader.outputs) {
+      if (!withOutputs)
+        break;
+      // One that the shader never assigns has the parameter's value.
+      const AnyslParamInfo &param = shader.info->params[output.param];
+      uint32_t components = anysl_type_components(param.type);
+      arrays[output.param] = arena.allocate<Real>(components * stride);
+      for (uint32_t k = 0; k < components; ++k)
+        for (size_t i = 0; i < stride; ++i)
+          at(output.param, components, k, i) = Real(args.params[param.first_cell + k].number);
+    }
+    uint32_t most = 0;
+    for (const Binding &binding : bound) {
+      if (!arrays[binding.parameter])
+        arrays[binding.parameter] = arena.allocate<Real>(binding.numbers * stride);
+      std::fill_n(arrays[binding.parameter], binding.numbers * stride, Real(0));
+      most = std::max(most, binding.numbers);
+    }
+    scratch = arena.allocate<float>(most);
+  }
+
+  /// Sets the values of point i from the variables of the surface that was hit there.
+  template <typename Interpolate>
+  void set(size_t i, std::span<const Binding> itsBindings, const Interpolate &interpolate) {
+    for (const Binding &binding : itsBindings) {
+      interpolate(binding.variable, scratch);
+      uint32_t components = anysl_type_components(shader.info->params[binding.parameter].type);
+      for (uint32_t k = 0; k < binding.numbers; ++k)
+        at(binding.parameter, components, k, i) = Real(scratch[k]);
+    }
+  }
+
+  /// The number k of an output at point i.
+  Real output(const Shader::Output &output, uint32_t k, size_t i) const {
+    return at(output.param, anysl_type_components(shader.info->params[output.param].type), k, i);
+  }
+
+  void fill(AnyslShadeArgs &args) const {
+    if (!arrays)
+      return;
+    args.param_data = reinterpret_cast<void *const *>(arrays);
+    args.data_stride = stride;
+  }
+
+private:
+  Real &at(uint32_t parameter, uint32_t components, uint32_t k, size_t i) const {
+    if (layout == ANYSL_LAYOUT_SOA)
+      return arrays[parameter][k * stride + i];
+    return arrays[parameter][(k / components * stride + i) * components + k % components];
+  }
+
+  const Shader &shader;
+  std::span<const Binding> bound;
+  AnyslLayout layout;
+  size_t stride;
+  Real **arrays = nullptr;
+  float *scratch = nullptr;
+};
+
+} // namespace anysl::render
+
+#endif
