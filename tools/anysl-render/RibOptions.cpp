@@ -249,8 +249,9 @@ void RibState::colorSamples(RibArguments &arguments) {
 /// renderer reach the same picture.
 bool RibState::isQuiet(std::string_view group) {
   static const std::set<std::string_view> groups = {
-      "user",   "searchpath", "identifier", "limits",    "bucket",     "dice",        "cull",
-      "render", "Render",     "grouping",   "trimcurve", "stochastic", "derivatives", "ribparse"};
+      "user",      "searchpath", "identifier",  "limits",   "bucket",
+      "dice",      "cull",       "render",      "Render",   "grouping",
+      "trimcurve", "stochastic", "derivatives", "ribparse", "displacementbound"};
   return groups.contains(group);
 }
 
