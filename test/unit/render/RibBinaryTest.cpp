@@ -155,6 +155,7 @@ TEST_CASE("junk is refused or read, and nothing worse happens", "[rib]") {
                                "Polygon \"P\" [0 0 0 1 0 0 0 1 0] ",
                                "DepthOfField 1 1 1 ",
                                "LightSource \"l\" 1 ",
+                               "AreaLightSource \"l\" 2 ",
                                "Illuminate 1 0 ",
                                "CoordSysTransform \"world\" ",
                                "Procedural \"DelayedReadArchive\" [\"a\"] [0 1 0 1 0 1] "};
