@@ -68,6 +68,9 @@ public:
   /// Where a shader asks how a value changes; null if none does.
   const Origin *derivativeUse() const { return derivative ? &*derivative : nullptr; }
 
+  /// Whether some shader looks up pictures, whose filters are as wide as derivatives say.
+  bool wantsDerivatives() const { return derivative || looksUp; }
+
   bool merge();
 
 private:
@@ -115,6 +118,7 @@ private:
       return;
     if (op && op->effect == stc::Effect::Derivatives && !derivative)
       derivative = origin;
+    looksUp |= op && op->effect == stc::Effect::Textures;
     GlobalValue *value = definition(name);
     if (op && (!value || value->getParent() == neutralOps) && !neutralMeaning(op->op).empty())
       declinedOp(*op, origin);
@@ -237,6 +241,7 @@ private:
   StringSet<> variants;
   Module *neutralOps = nullptr; ///< made where something is declined
   std::optional<Origin> derivative;
+  bool looksUp = false;
   std::vector<std::pair<FilePosition, std::string>> declined; ///< warnings, if this is merged
   bool good = true;
 };
@@ -297,11 +302,14 @@ bool linkModules(Session &session) {
     ModuleLinker linker(session);
     if (!linker.follow())
       return false;
-    const Origin *use = linker.derivativeUse();
-    if (!use || any_of(session.layers,
-                       [](const Layer &layer) { return carriesDerivatives(*layer.module); }))
+    bool carries = any_of(session.layers,
+                          [](const Layer &layer) { return carriesDerivatives(*layer.module); });
+    if (!linker.wantsDerivatives() || carries)
       return linker.merge();
     if (!openLayersWithDerivatives(session)) {
+      const Origin *use = linker.derivativeUse();
+      if (!use) // a lookup does without, at a point
+        return linker.merge();
       session.diags.error(use->position, "shader '" + use->shader +
                                              "' asks for derivatives, which runtime '" +
                                              session.options.runtime + "' with real '" +

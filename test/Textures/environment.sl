@@ -21,11 +21,11 @@ surface environments(output varying float near[2] = {0, 0}; output varying float
   float a = 2 * PI * u, b = 0.05 + (PI - 0.1) * v;
   vector d = (cos(a) * sin(b), sin(a) * sin(b), cos(b));
   color wanted = 0.5 + 0.5 * color(d);
-  color off = color environment("latlong.exr", 7 * d) - wanted;
+  color off = color environment("latlong.exr", 7 * d, "width", 0) - wanted;
   near[0] = max(abs(comp(off, 0)), abs(comp(off, 1)), abs(comp(off, 2))) < 0.01 ? 1 : 0;
-  off = color environment("cube.exr", 0.1 * d) - wanted;
+  off = color environment("cube.exr", 0.1 * d, "width", 0) - wanted;
   near[1] = max(abs(comp(off, 0)), abs(comp(off, 1)), abs(comp(off, 2))) < 0.04 ? 1 : 0;
-  single = abs(float environment("latlong.exr"[2], d) - comp(wanted, 2)) < 0.01 ? 1 : 0;
+  single = abs(float environment("latlong.exr"[2], d, "width", 0) - comp(wanted, 2)) < 0.01 ? 1 : 0;
   nowhere = environment("latlong.exr", vector(0));
   // Blurred widely, all is grey.
   wide = abs(float environment("latlong.exr", d, "blur", 1) - 0.5) <= abs(comp(wanted, 0) - 0.5) + 0.01 ? 1 : 0;
