@@ -14,8 +14,9 @@
 // EXPECT nowhere: 0 0 0
 // EXPECT wide: 1
 // EXPECT corners: 0
+// EXPECT filtered: 1
 
-surface environments(output varying float near[2] = {0, 0}; output varying float single = 0, wide = 0, corners = 0;
+surface environments(output varying float near[2] = {0, 0}; output varying float single = 0, wide = 0, corners = 0, filtered = 0;
                      output varying color nowhere = 1) {
   // Every direction, of some length; not the poles' own texels, where a map's rows are thin.
   float a = 2 * PI * u, b = 0.05 + (PI - 0.1) * v;
@@ -27,6 +28,9 @@ surface environments(output varying float near[2] = {0, 0}; output varying float
   near[1] = max(abs(comp(off, 0)), abs(comp(off, 1)), abs(comp(off, 2))) < 0.04 ? 1 : 0;
   single = abs(float environment("latlong.exr"[2], d, "width", 0) - comp(wanted, 2)) < 0.01 ? 1 : 0;
   nowhere = environment("latlong.exr", vector(0));
+  // A filter as wide as the directions' distance, away from the poles, is not far off.
+  off = color environment("latlong.exr", d) - wanted;
+  filtered = abs(d[2]) > 0.9 || max(abs(comp(off, 0)), abs(comp(off, 1)), abs(comp(off, 2))) < 0.1 ? 1 : 0;
   // Blurred widely, all is grey.
   wide = abs(float environment("latlong.exr", d, "blur", 1) - 0.5) <= abs(comp(wanted, 0) - 0.5) + 0.01 ? 1 : 0;
   corners = float environment("latlong.exr", d, d, d, d) - float environment("latlong.exr", d, "width", 0);

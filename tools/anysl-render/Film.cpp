@@ -7,6 +7,8 @@
 
 #include "tools/anysl-render/Film.h"
 
+#include "tools/anysl-render/Camera.h"
+
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -117,6 +119,24 @@ std::vector<FileChannel> fileChannels(const OutputFile &output, const Channels &
   return result;
 }
 
+/// From where the picture was taken, for those who use it as a shadow map: the world to camera
+/// space, and to the picture, whose x goes from -1 at the left to 1 and whose y from -1 at the
+/// bottom to 1.
+void addMatrices(OIIO::ImageSpec &spec, const SceneDescription &scene) {
+  Matrix4 toPicture, toSquare = Matrix4::identity();
+  Camera(scene.camera).projection("NDC", toPicture);
+  toSquare.m[0][0] = 2, toSquare.m[1][1] = -2;
+  toSquare.m[3] = {-1, 1, 0, 1};
+  auto add = [&](const char *name, const Matrix4 &matrix) {
+    float numbers[16];
+    for (size_t k = 0; k < 16; ++k)
+      numbers[k] = float(matrix.m[k / 4][k % 4]);
+    spec.attribute(name, OIIO::TypeMatrix, numbers);
+  };
+  add("worldtocamera", scene.worldToCamera);
+  add("worldtoscreen", scene.worldToCamera * toPicture * toSquare);
+}
+
 OIIO::TypeDesc pixelType(const SceneDescription &scene, const OutputFile &output, bool linear) {
   if (linear)
     return output.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
@@ -158,6 +178,8 @@ void anysl::render::writeImage(const Film &film, const SceneDescription &scene,
   spec.attribute("Software", "AnySL " ANYSL_VERSION);
   if (!linear)
     spec.attribute("oiio:dither", 0);
+  if (isDepth)
+    addMatrices(spec, scene);
 
   std::vector<float> values;
   values.reserve(film.pixels.size() * channels.size());
