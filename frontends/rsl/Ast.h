@@ -17,6 +17,7 @@
 
 #include "frontends/rsl/Type.h"
 #include "llvm/ADT/ArrayRef.h"
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringRef.h"
 #include "llvm/Support/Allocator.h"
 #include "llvm/Support/Casting.h"
@@ -215,6 +216,7 @@ enum class CallForm : uint8_t {
   Function,      ///< `function` is expanded
   Builtin,       ///< `builtin` is one operator
   ComponentWise, ///< `builtin` of floats, applied to each component of its arguments
+  Coshader,      ///< of another shader; `coshaderOp` says what
   Array,         ///< resize, push … of an array; `arrayOp` says which
   ArrayLength,   ///< known where a function is expanded, or when the shader runs
   Spline,        ///< value, then an array or at least four knots; `basis` says which curve
@@ -231,6 +233,9 @@ enum class SplineBasis : uint8_t { CatmullRom, Bezier, BSpline, Hermite, Power, 
 /// What a call does to an array whose length changes.
 enum class ArrayOp : uint8_t { Resize, Reserve, Push, Pop, Capacity };
 
+/// What is asked of another shader.
+enum class CoshaderOp : uint8_t { Get, GetAll, GetLights, Variable, Member, Method };
+
 struct CallExpr : Expr {
   StringRef name;
   SMRange nameRange;
@@ -245,6 +250,8 @@ struct CallExpr : Expr {
   bool isSplit = false; ///< `rest` has been told from `args`
   SplineBasis basis = SplineBasis::CatmullRom;
   ArrayOp arrayOp = ArrayOp::Resize;
+  CoshaderOp coshaderOp = CoshaderOp::Get;
+  StringRef remoteName; ///< Method: the name under which other shaders' methods are known
   CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
       : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {
   }
@@ -489,7 +496,7 @@ struct StructDecl {
   ArrayRef<VarDecl *> params;   ///< of a class shader
 };
 
-enum class ShaderType : uint8_t { Surface = 1, Displacement, Light, Volume, Imager };
+enum class ShaderType : uint8_t { Surface = 1, Displacement, Light, Volume, Imager, Method };
 StringRef nameOf(ShaderType type);
 
 struct ShaderDecl {
@@ -525,6 +532,10 @@ public:
     StructDecl *structure = nullptr;
   };
   std::vector<Item> items;
+  bool hasClasses() const {
+    return llvm::any_of(items,
+                        [](const Item &item) { return item.structure && item.structure->isClass; });
+  }
 
 private:
   llvm::BumpPtrAllocator arena;

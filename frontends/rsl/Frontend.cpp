@@ -32,7 +32,8 @@ FrontendResult compile(StringRef path, const FrontendOptions &options, Diagnosti
   Sema(ast, diags, {options.isLibrary}).check();
   // From here on the tree is correct: lowering has nothing to complain about but a library's
   // operators.
-  if (!diags.hasErrors() && ast.shaders.empty() && !options.isLibrary && !options.syntaxOnly)
+  if (!diags.hasErrors() && ast.shaders.empty() && !ast.hasClasses() && !options.isLibrary &&
+      !options.syntaxOnly)
     diags.error(FilePosition{path.str()}, "the file contains no shader");
   if (diags.hasErrors() || options.syntaxOnly)
     return result;

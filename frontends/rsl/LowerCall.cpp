@@ -35,6 +35,8 @@ Value *Lowering::lowerCall(const CallExpr &call) {
     return callSpline(call);
   case CallForm::Query:
     return callQuery(call);
+  case CallForm::Coshader:
+    return callCoshader(call);
   case CallForm::Array:
     return callArray(call);
   case CallForm::ArrayLength: {

@@ -118,6 +118,14 @@ private:
   void setZero(Type type, Value *slot);
   Value *spaceMatrix(Value *from, Value *to, SMLoc loc);
 
+  // Other shaders (LowerCoshader.cpp)
+  unsigned packNumbers(Value *value, Type type, ArrayRef<Value *> matrices, unsigned at);
+  Value *unpackNumbers(Type type, ArrayRef<Value *> matrices, unsigned at);
+  Value *callCoshader(const CallExpr &call);
+  Value *getShader(const CallExpr &call);
+  Value *getShaders(const CallExpr &call);
+  Value *callMethod(const CallExpr &call);
+
   // Arrays whose length changes (LowerArray.cpp)
   static unsigned capacityOf(Value *array);
   Value *lengthOf(Value *array);

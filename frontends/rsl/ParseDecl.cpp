@@ -26,6 +26,8 @@ StringRef nameOf(ShaderType type) {
     return "volume";
   case ShaderType::Imager:
     return "imager";
+  case ShaderType::Method:
+    return "method";
   }
   llvm_unreachable("unknown shader type");
 }
@@ -139,7 +141,7 @@ bool Parser::atTypeName() const {
 }
 
 bool Parser::atSpecifier() const {
-  return atTypeName() || atNamedType() ||
+  return atTypeName() || atNamedType() || atConstant() ||
          peek().isOneOf(TokenKind::KwUniform, TokenKind::KwVarying, TokenKind::KwOutput,
                         TokenKind::KwExtern);
 }
@@ -304,6 +306,11 @@ Parser::Specifiers Parser::parseSpecifiers() {
       specifiers.varying = token.is(TokenKind::KwVarying);
       break;
     case TokenKind::Identifier:
+      if (atConstant()) { // the same for the whole surface: uniform is all that shaders notice
+        specifiers.hasStorage = true;
+        specifiers.varying = false;
+        break;
+      }
       specifiers.hasType = true;
       specifiers.structure = structNamed(token.text);
       specifiers.type = specifiers.structure ? TypeKind::Struct : TypeKind::Shader;
@@ -376,6 +383,10 @@ VarDecl *Parser::parseVariable(VarKind kind, const Specifiers &specifiers, Funct
   }
   if (accept(TokenKind::Equal) && !(decl->init = parseExpr()))
     return nullptr;
+  // An array of no shaders.
+  if (auto *none = dyn_cast_or_null<NameExpr>(decl->init);
+      none && none->name == "null" && decl->type.isArray())
+    decl->init = ast.make<ListExpr>(none->range, MutableArrayRef<Expr *>());
   return decl;
 }
 

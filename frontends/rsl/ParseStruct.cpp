@@ -25,6 +25,13 @@ bool Parser::atNamedType() const {
          (peek().text == "shader" || structNamed(peek().text));
 }
 
+/// At `constant` in front of a type.
+bool Parser::atConstant() const {
+  bool isType = peek(1).kind >= TokenKind::KwFloat && peek(1).kind <= TokenKind::KwString;
+  return at(TokenKind::Identifier) && peek().text == "constant" &&
+         (isType || (peek(1).is(TokenKind::Identifier) && peek(2).is(TokenKind::Identifier)));
+}
+
 /// At `word name` and what opens a definition. These words are not reserved either.
 bool Parser::atDefinition(StringRef word, TokenKind open) const {
   return at(TokenKind::Identifier) && peek().text == word && peek(1).is(TokenKind::Identifier) &&

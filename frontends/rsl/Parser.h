@@ -74,6 +74,7 @@ private:
   // Structures and class shaders (ParseStruct.cpp)
   StructDecl *structNamed(StringRef name) const;
   bool atNamedType() const;
+  bool atConstant() const;
   bool atDefinition(StringRef word, TokenKind open) const;
   StructDecl *parseStruct();
   void parseClass();

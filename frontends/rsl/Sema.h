@@ -12,6 +12,7 @@
 #include "frontends/rsl/Builtins.h"
 #include "lib/Support/Diagnostics.h"
 #include "llvm/ADT/StringMap.h"
+#include <set>
 
 namespace anysl {
 struct FormatDirective;
@@ -96,7 +97,7 @@ private:
   bool isThis(const Expr *expr);
   VarDecl *lookupOwn(StringRef name);
   Type probeMember(const MemberExpr &member);
-  Expr *checkMember(MemberExpr &member);
+  Expr *checkMember(MemberExpr &member, TypeKind hint);
   Expr *dotAsMember(BinaryExpr &dot);
   bool dotAsMemberInner(BinaryExpr &dot);
   void assignMembers(Expr *target, Expr *value, SMLoc loc, llvm::SmallVectorImpl<Expr *> &steps);
@@ -116,6 +117,15 @@ private:
   void checkResizedArguments(const CallExpr &call);
   Expr *checkArrayCall(CallExpr &call);
   void checkParams(llvm::ArrayRef<VarDecl *> &params);
+
+  // Other shaders (SemaCoshader.cpp)
+  Expr *checkCoshaderCall(CallExpr &call);
+  Expr *checkRemoteMember(MemberExpr &member, TypeKind hint);
+  Expr *checkRemoteCall(CallExpr &call, TypeKind hint);
+  void refuseRemote(CallExpr &call, SMLoc loc, const llvm::Twine &why);
+  void makeMethods(StructDecl &decl, llvm::ArrayRef<Stmt *> begin);
+  ShaderDecl *makeMethod(StructDecl &decl, FunctionDecl &method, StringRef name,
+                         llvm::ArrayRef<Stmt *> begin);
 
   // Class shaders (SemaClass.cpp)
   void checkClass(StructDecl &decl);
@@ -207,6 +217,14 @@ private:
   unsigned illuminances = 0;
 };
 
+/// How many numbers a value is; 0 for one that is no number.
+unsigned componentsOf(Type type);
+/// The most shaders that getshaders() gives.
+inline constexpr int CoshaderLimit = 32;
+/// Whether a variable gets a value back where it is an argument of another shader's method.
+bool isRemoteOutput(const VarDecl &decl);
+/// Whether a name asks for another shader: getshader, getvar, …
+bool isCoshaderCall(StringRef name);
 /// Whether a name is an operation on an array: resize, push, …
 bool isArrayCall(StringRef name);
 

@@ -55,7 +55,9 @@ Type Sema::probeInner(Expr *expr) {
     auto *name = cast<NameExpr>(expr);
     if (VarDecl *decl = lookup(name->name))
       return decl->type;
-    return {name->name == "PI" ? TypeKind::Float : TypeKind::Error};
+    return {name->name == "PI"     ? TypeKind::Float
+            : name->name == "null" ? TypeKind::Shader
+                                   : TypeKind::Error};
   }
   case ExprKind::Index: {
     Type base = probe(cast<IndexExpr>(expr)->base);
@@ -99,6 +101,8 @@ Type Sema::probeInner(Expr *expr) {
     return {cast<CastExpr>(expr)->to};
   case ExprKind::Call: {
     auto *call = cast<CallExpr>(expr);
+    if (call->object && !isThis(call->object) && probe(call->object).is(TypeKind::Shader))
+      return {};
     splitNamed(*call);
     SmallVector<Type, 8> args;
     for (Expr *arg : call->args)
@@ -120,6 +124,10 @@ Type Sema::probeInner(Expr *expr) {
     for (Type arg : args)
       if (arg.isTriple() && !builtinsNamed(call->name).empty())
         return arg;
+    if (call->name == "getshader")
+      return {TypeKind::Shader};
+    if (call->name == "getshaders" || call->name == "getlights")
+      return {TypeKind::Shader, false, CoshaderLimit, nullptr, true};
     if (call->name == "pop" && args.size() == 1)
       return args[0].element();
     return {specialResult(call->name)};
@@ -280,6 +288,8 @@ bool Sema::chooseComponentWise(CallExpr &call, ArrayRef<Type> args) {
 Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
   if (given.object && !isThis(given.object)) {
     given.object = check(given.object);
+    if (given.object->type.is(TypeKind::Shader))
+      return checkRemoteCall(given, hint);
     if (!given.object->type.isStruct())
       return reportNoObject(given);
   }

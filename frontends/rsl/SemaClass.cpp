@@ -20,6 +20,8 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
+static constexpr WarningGroup Uncallable{"uncallable-class", true};
+
 namespace {
 /// A method that the renderer calls, and the globals that are its arguments.
 struct Entry {
@@ -126,11 +128,13 @@ void Sema::makeEntries(StructDecl &decl) {
     checkShaderName(*shader);
     ast.shaders.push_back(shader);
   }
-  if (!any)
+  size_t before = ast.shaders.size();
+  makeMethods(decl, begin);
+  if (!any && ast.shaders.size() == before)
     diags
-        .error(decl.range.Start, "class '" + decl.name +
-                                     "' has no method that a renderer calls: "
-                                     "surface, opacity, displacement, light, volume, …")
+        .warning(decl.range.Start, Uncallable,
+                 "class '" + decl.name +
+                     "' has no method that a renderer or another shader can call")
         .range(decl.range);
 }
 

@@ -35,14 +35,15 @@ Expr *Sema::check(Expr *expr, TypeKind hint) {
     expr->type = {TypeKind::Float};
     return expr;
   case ExprKind::String:
-    expr->type = {TypeKind::String};
+    if (!expr->type.is(TypeKind::Shader)) // null
+      expr->type = {TypeKind::String};
     return expr;
   case ExprKind::Name:
     return checkName(*cast<NameExpr>(expr));
   case ExprKind::Index:
     return checkIndex(*cast<IndexExpr>(expr));
   case ExprKind::Member:
-    return checkMember(*cast<MemberExpr>(expr));
+    return checkMember(*cast<MemberExpr>(expr), hint);
   case ExprKind::Negate:
     return checkNegate(*cast<NegateExpr>(expr), hint);
   case ExprKind::Not: {
@@ -98,6 +99,11 @@ Expr *Sema::checkName(NameExpr &name) {
       auto *number = ast.make<NumberExpr>(name.range, M_PI);
       number->type = {TypeKind::Float};
       return number;
+    }
+    if (name.name == "null") {
+      auto *none = ast.make<StringExpr>(name.range, "");
+      none->type = {TypeKind::Shader};
+      return none;
     }
     auto error = diags.error(name.loc, "unknown variable '" + name.name + "'" +
                                            didYouMean(name.name, visibleNames()));
@@ -290,9 +296,8 @@ Expr *Sema::checkComparison(BinaryExpr &binary) {
   if (a.isError() || b.isError())
     return failed(&binary);
   bool isEquality = binary.op == BinaryOp::Equal || binary.op == BinaryOp::NotEqual;
-  TypeKind kind = a.is(TypeKind::String) && b.is(TypeKind::String)
-                      ? TypeKind::String
-                      : combinedKind(BinaryOp::Add, a, b);
+  bool isText = a.is(TypeKind::String) || a.is(TypeKind::Shader);
+  TypeKind kind = isText && b.is(a.kind) ? a.kind : combinedKind(BinaryOp::Add, a, b);
   if (kind == TypeKind::Error || (!isEquality && kind != TypeKind::Float)) {
     auto error = diags.error(binary.loc, "'" + spelling(binary.op) + "' does not compare '" +
                                              toString(a) + "' and '" + toString(b) + "'");
@@ -340,7 +345,8 @@ Expr *Sema::checkConditional(ConditionalExpr &conditional, TypeKind hint) {
                            conditional.whenFalse->hasEffects;
   if (a.isError() || b.isError() || conditional.condition->type.isError())
     return failed(&conditional);
-  TypeKind kind = a.is(TypeKind::String) && b.is(TypeKind::String) ? TypeKind::String
+  bool isText = a.is(TypeKind::String) || a.is(TypeKind::Shader);
+  TypeKind kind = isText && b.is(a.kind) ? a.kind
                   : a.is(TypeKind::Bool) && b.is(TypeKind::Bool)
                       ? TypeKind::Float
                       : combinedKind(BinaryOp::Add, a, b);

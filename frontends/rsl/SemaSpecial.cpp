@@ -18,6 +18,8 @@ static constexpr WarningGroup Unanswered{"unanswered", true};
 Expr *Sema::checkSpecial(CallExpr &call, TypeKind hint) {
   if (call.name == "arraylength")
     return checkArrayLengthCall(call);
+  if (isCoshaderCall(call.name))
+    return checkCoshaderCall(call);
   if (isArrayCall(call.name))
     return checkArrayCall(call);
   if (call.name == "spline")

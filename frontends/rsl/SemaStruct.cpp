@@ -243,7 +243,7 @@ Type Sema::probeMember(const MemberExpr &member) {
   return found ? found->type : Type();
 }
 
-Expr *Sema::checkMember(MemberExpr &member) {
+Expr *Sema::checkMember(MemberExpr &member, TypeKind hint) {
   if (isThis(member.base)) {
     VarDecl *own = lookupOwn(member.name);
     if (own) {
@@ -266,6 +266,8 @@ Expr *Sema::checkMember(MemberExpr &member) {
   Type base = member.base->type;
   if (base.isError())
     return failed(&member);
+  if (base.is(TypeKind::Shader))
+    return checkRemoteMember(member, hint);
   if (!base.isStruct()) {
     diags.error(member.loc, "a value of type '" + toString(base) + "' has no members")
         .range(member.base->range);

@@ -60,7 +60,8 @@ typedef enum AnyslShaderKind {
   ANYSL_DISPLACEMENT,
   ANYSL_LIGHT,
   ANYSL_VOLUME,
-  ANYSL_IMAGER
+  ANYSL_IMAGER,
+  ANYSL_METHOD /**< a method of a class shader, called by other shaders */
 } AnyslShaderKind;
 
 /** How a runtime finds the globals of a point. */
@@ -236,6 +237,22 @@ typedef struct AnyslServices {
   int (*light_value)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
                      uint32_t light, const double P[3], const double N[3], const char *name,
                      uint32_t type, AnyslCell *value);
+  /**
+   * Calls a method of another shader at one point. Gives 1 if there are such a shader and method, else
+   * 0; libanysl's anysl_method_call() does it. `method` is
+   *   "bump(tf)f"  a name, the arguments' types (f float, t triple, m matrix), the result's (v: none);
+   *                values are the arguments' numbers, and afterwards what the method made of them, and
+   *                behind them, or where no room is left from the first on, the result
+   *   ".Kd"        a parameter; values are set to its numbers
+   *   ""           whether there is such a shader
+   * Neutral: 0.
+   */
+  int (*call_method)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                     const char *shader, const char *method, double values[32]);
+  /** The name of shader number `index` among those of a category (""; all) that methods of can be
+      called; null behind the last. Neutral: there are none. */
+  const char *(*shader_name)(void *renderer, const struct AnyslShadeArgs *args, const char *category,
+                             uint32_t index);
 } AnyslServices;
 
 /** A batch of points that share one set of parameters. The host fills it; shaders change only outputs. */

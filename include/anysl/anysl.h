@@ -45,7 +45,7 @@ extern "C" {
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
 ANYSL_ASSERT_SIZE(AnyslLight, 72);
-ANYSL_ASSERT_SIZE(AnyslServices, 152);
+ANYSL_ASSERT_SIZE(AnyslServices, 168);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
 ANYSL_ASSERT_SIZE(AnyslTexturePoints, 96);
 ANYSL_ASSERT_SIZE(AnyslHits, 112);
@@ -184,6 +184,15 @@ ANYSL_API AnyslStatus anysl_instance_get_strings(const AnyslInstance *instance, 
     param_is_set, services, renderer, library) and sets the rest to null. The caller sets count, globals and
    what else it has, and calls a function of anysl_shader_entry() on it. */
 ANYSL_API void anysl_instance_fill_args(const AnyslInstance *instance, AnyslShadeArgs *args);
+
+/**
+ * Calls a public method of a class shader, of which \p instance is any shader, at one point of
+ * another shader's batch: what a renderer does in AnyslServices::call_method, which describes \p
+ * method and \p values. Gives 1, or 0 where the class has no such method or \p args lacks globals
+ * that it names. Both libraries must have one layout and number format.
+ */
+ANYSL_API int anysl_method_call(const AnyslInstance *instance, const AnyslShadeArgs *args,
+                                uint32_t point, const char *method, double values[32]);
 
 /*===-- Batches -------------------------------------------------------------===*/
 

@@ -23,8 +23,9 @@ constexpr TypeRow types[] = {
 };
 static_assert(std::size(types) == ANYSL_STRING + 1);
 
-constexpr const char *kinds[] = {"?", "surface", "displacement", "light", "volume", "imager"};
-static_assert(std::size(kinds) == ANYSL_IMAGER + 1);
+constexpr const char *kinds[] = {"?",      "surface", "displacement", "light",
+                                 "volume", "imager",  "method"};
+static_assert(std::size(kinds) == ANYSL_METHOD + 1);
 
 enum Storage { varying, uniform };
 enum GlobalType {

@@ -111,7 +111,7 @@ private:
 
 bool makeEntries(Session &session) {
   for (Shader &shader : session.shaders)
-    for (unsigned width : session.widths) {
+    for (unsigned width : widthsOf(session, shader)) {
       shader.entries.push_back({width, EntryBuilder(session, shader, width).build()});
       shader.report.widths.push_back(width);
     }

@@ -77,6 +77,13 @@ struct Session {
   Report report;
 };
 
+/// The widths that a shader is built for. A method is called for one point at a time.
+inline llvm::ArrayRef<unsigned> widthsOf(const Session &session, const Shader &shader) {
+  static constexpr unsigned one[] = {1};
+  return shader.info.kind == stc::ShaderKind::Method ? llvm::ArrayRef<unsigned>(one)
+                                                     : llvm::ArrayRef<unsigned>(session.widths);
+}
+
 /// Reads the shaders' files and opens the layers.
 bool readInputs(Session &session, llvm::ArrayRef<std::string> files);
 

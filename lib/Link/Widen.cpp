@@ -91,9 +91,13 @@ bool widen(Session &session) {
   for (unsigned width : session.widths) {
     if (width == 1)
       continue;
+    SmallVector<Shader *> shaders;
     for (Shader &shader : session.shaders)
+      if (is_contained(widthsOf(session, shader), width))
+        shaders.push_back(&shader);
+    for (Shader *shader : shaders)
       for (bool masked : {false, true})
-        addVectorVariant(*shader.point, mangledName(shader, width, masked));
+        addVectorVariant(*shader->point, mangledName(*shader, width, masked));
     VectorizeOptions options;
     options.width = width;
     std::string refusal;
@@ -103,11 +107,11 @@ bool widen(Session &session) {
         refusal = remark.message;
     };
     defineVectorVariants(module, options, &session.target);
-    for (Shader &shader : session.shaders)
+    for (Shader *shader : shaders)
       for (bool masked : {false, true}) {
-        Function *form = wideForm(shader, width, masked);
+        Function *form = wideForm(*shader, width, masked);
         if (!form || form->isDeclaration())
-          reportInternalError("shader '" + shader.info.name + "' cannot be widened to " +
+          reportInternalError("shader '" + shader->info.name + "' cannot be widened to " +
                               Twine(width) + (refusal.empty() ? "" : ": " + refusal));
         form->setLinkage(GlobalValue::InternalLinkage);
       }

@@ -19,7 +19,8 @@ using namespace llvm;
 namespace anysl::stc {
 namespace {
 
-constexpr StringLiteral kindNames[] = {"surface", "displacement", "light", "volume", "imager"};
+constexpr StringLiteral kindNames[] = {"surface", "displacement", "light",
+                                       "volume",  "imager",       "method"};
 
 #define ANYSL_STORAGE_varying Storage::Varying
 #define ANYSL_STORAGE_uniform Storage::Uniform

@@ -29,7 +29,7 @@ namespace anysl::stc {
 inline constexpr unsigned stcVersion = 1;
 
 /// The kinds of shaders; the values are those of AnyslShaderKind.
-enum class ShaderKind : uint8_t { Surface = 1, Displacement, Light, Volume, Imager };
+enum class ShaderKind : uint8_t { Surface = 1, Displacement, Light, Volume, Imager, Method };
 /// The metadata's word for a kind: `surface`.
 llvm::StringRef nameOf(ShaderKind kind);
 std::optional<ShaderKind> shaderKindNamed(llvm::StringRef name);

@@ -7,6 +7,7 @@
 
 #include "tools/anysl-shade/Environment.h"
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace anysl::shade {
@@ -211,6 +212,28 @@ void traceHit(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32
   }
 }
 
+int callMethod(void *renderer, const AnyslShadeArgs *args, uint32_t point, const char *shader,
+               const char *method, double values[32]) {
+  const auto &coshaders = static_cast<const Environment *>(renderer)->coshaders;
+  auto found = coshaders.find(shader);
+  return found != coshaders.end() && anysl_method_call(found->second, args, point, method, values);
+}
+
+/// A shader says with its parameter __category what it belongs to.
+bool belongsTo(const AnyslInstance &shader, const char *category) {
+  const char *own = nullptr;
+  return !*category || (anysl_instance_get_strings(&shader, "__category", &own, 1) == ANYSL_OK &&
+                        !std::strcmp(own, category));
+}
+
+const char *shaderName(void *renderer, const AnyslShadeArgs *, const char *category,
+                       uint32_t index) {
+  for (const auto &[name, shader] : static_cast<const Environment *>(renderer)->coshaders)
+    if (belongsTo(*shader, category) && !index--)
+      return name.c_str();
+  return nullptr;
+}
+
 } // namespace
 
 Environment::Environment() {
@@ -233,6 +256,8 @@ AnyslServices environmentServices() {
   services.environment = environment;
   services.shadow = shadow;
   services.trace_hit = traceHit;
+  services.call_method = callMethod;
+  services.shader_name = shaderName;
   return services;
 }
 

@@ -27,7 +27,7 @@
 #define ANYSL_TOOLS_ANYSL_SHADE_ENVIRONMENT_H
 
 #include "tools/anysl-shade/Pictures.h"
-#include <anysl/abi.h>
+#include <anysl/anysl.h>
 #include <array>
 #include <cstdio>
 #include <map>
@@ -45,6 +45,7 @@ struct Environment {
   std::map<std::string, Matrix> toCurrent; ///< by name of the coordinate system
   std::FILE *printTo = stdout;             ///< what shaders print
   std::shared_ptr<Pictures> pictures = std::make_shared<Pictures>();
+  std::map<std::string, const AnyslInstance *> coshaders; ///< by handle; Grid owns them
 
   Environment();
 };

@@ -28,6 +28,8 @@ Grid::Grid(const Options &given)
       shaderInstance(makeInstance(library.get(), given.shader ? &*given.shader : nullptr, services,
                                   options.environment)),
       lights(given.lights, services, options.environment) {
+  for (const CoshaderText &coshader : options.coshaders)
+    addCoshader(coshader);
   for (const ParamText &param : options.params)
     setParam(shaderInstance.get(), param, "--param");
   for (const Constant &constant : options.constants)
@@ -35,6 +37,25 @@ Grid::Grid(const Options &given)
   for (const Ramp &ramp : options.ramps)
     override(ramp.name, ramp.from, ramp.to, ramp.alongHeight, "--ramp");
   chooseResults();
+}
+
+void Grid::addCoshader(const CoshaderText &text) {
+  LibraryHandle opened = openLibrary(text.library);
+  const AnyslLibraryInfo &own = *anysl_library_info(library.get());
+  const AnyslLibraryInfo &info = *anysl_library_info(opened.get());
+  if (info.layout != own.layout || info.real != own.real)
+    throw UserError("--coshader: " + text.library + " has another layout or number format than " +
+                    options.library);
+  InstanceHandle created = makeInstance(opened.get(), nullptr, services, options.environment);
+  for (const ParamText &param : text.params)
+    setParam(created.get(), param, "--coshader");
+  if (!options.environment.coshaders.emplace(text.handle, created.get()).second)
+    throw UserError("--coshader: '" + text.handle + "' is given twice");
+  for (uint32_t i = 0; i < info.shader_count; ++i)
+    if (info.shaders[i].kind == ANYSL_METHOD)
+      coshaderGlobals |= info.shaders[i].globals_read | info.shaders[i].globals_written;
+  coshaderLibraries.push_back(std::move(opened));
+  coshaders.push_back(std::move(created));
 }
 
 void Grid::override(const std::string &name, std::vector<double> from, std::vector<double> to,
@@ -206,7 +227,7 @@ void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
 
 BatchHandle Grid::makeBatch(size_t first, uint32_t count) const {
   AnyslBatch *created = nullptr;
-  check(anysl_batch_create(instance(), count, printedGlobals | lights.globals(), &created));
+  check(anysl_batch_create(instance(), count, printedGlobals | lights.globals() | coshaderGlobals, &created));
   BatchHandle batch(created);
   lights.shineOn(created);
   for (const Result &result : wanted)

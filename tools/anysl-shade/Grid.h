@@ -54,6 +54,7 @@ private:
     bool alongHeight = false;
   };
 
+  void addCoshader(const CoshaderText &text);
   void override(const std::string &name, std::vector<double> from, std::vector<double> to,
                 bool alongHeight, const char *option);
   void chooseResults();
@@ -67,6 +68,9 @@ private:
   LibraryHandle library;
   InstanceHandle shaderInstance;
   Lights lights;
+  std::vector<LibraryHandle> coshaderLibraries;
+  std::vector<InstanceHandle> coshaders;
+  uint64_t coshaderGlobals = 0; ///< that their methods name
   std::map<int, Override> globalOverrides;
   std::map<std::string, Override> paramOverrides;
   std::vector<Result> wanted; ///< without values

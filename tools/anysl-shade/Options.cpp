@@ -61,6 +61,9 @@ The world around it:
       flag shadow, and space=m,... (16 numbers), the matrix from its own space to the current one
   --texture-path DIR[:DIR...]
                            where textures are looked for, after the current folder
+  --coshader HANDLE=FILE.so[:NAME=v[,v...]]...
+      getshader(HANDLE) is this library's first shader or class, with these parameters;
+      its parameter __category is what getshaders() chooses by
   --space NAME=m,...       16 numbers, the matrix (row by row, for row vectors) from a
                            named coordinate system to the current one
 )";
@@ -118,6 +121,17 @@ void parseSpace(Environment &environment, const std::string &text) {
   environment.toCurrent[name] = parseMatrix(value, "--space " + name);
 }
 
+void parseCoshader(Options &options, const std::string &description) {
+  auto [handle, rest] = parseAssignment(description, "--coshader");
+  std::vector<std::string> parts = split(rest, ':');
+  CoshaderText coshader = {handle, parts[0], {}};
+  for (size_t i = 1; i < parts.size(); ++i) {
+    auto [name, value] = parseAssignment(parts[i], "--coshader");
+    coshader.params.push_back({name, value});
+  }
+  options.coshaders.push_back(std::move(coshader));
+}
+
 struct Option {
   const char *name;
   std::function<void(Options &, const std::string &)> read; ///< null for a flag
@@ -149,6 +163,7 @@ const Option table[] = {
        for (const std::string &folder : split(v, ':'))
          o.environment.pictures->searchPath.push_back(folder);
      }},
+    {"--coshader", parseCoshader},
     {"--space", [](Options &o, const std::string &v) { parseSpace(o.environment, v); }},
     {"--json", nullptr, &Options::json},
     {"--bench", nullptr, &Options::bench},

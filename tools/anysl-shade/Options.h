@@ -40,6 +40,12 @@ struct ParamText {
   std::string name, value;
 };
 
+/// --coshader HANDLE=FILE.so[:NAME=VALUE]…
+struct CoshaderText {
+  std::string handle, library;
+  std::vector<ParamText> params;
+};
+
 struct Options {
   std::string library;
   std::optional<std::string> shader; ///< the library's first if not given
@@ -54,6 +60,7 @@ struct Options {
   bool json = false;
   bool bench = false;
   Environment environment;
+  std::vector<CoshaderText> coshaders;
 };
 
 /// Reads the arguments; nothing is returned where only help or the version was asked for and

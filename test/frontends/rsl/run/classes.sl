@@ -52,7 +52,7 @@ class phases() {
 // MOVE-NEXT: 1 0  P 1 0 2 N 0 1 0
 // PHASES:      0 0  Ci 1 3 1 Oi 0.25 0.25 0.25
 // PHASES-NEXT: 1 0  Ci 3 3 1 Oi 0.25 0.25 0.25
-// NONE: no shader 'light:layered'; it has surface:layered, displacement:layered, surface:phases
+// NONE: no shader 'light:layered'; it has surface:layered, displacement:layered, {{.*}}surface:phases
 // INFO: surface layered
 // INFO: displacement layered
 // INFO: surface phases

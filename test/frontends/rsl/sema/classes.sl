@@ -18,7 +18,7 @@ class wrong(float s1 = s) {      // expected-note {{declared here}} expected-err
   float again(float x) { return this->again(x); }                  // expected-error {{function 'again' calls itself}} expected-note {{declared here}}
 }
 
-class nothing() {                // expected-error {{class 'nothing' has no method that a renderer calls}}
+class nothing() {                // expected-warning {{class 'nothing' has no method that a renderer or another shader can call}}
   void helper() { }
 }
 

@@ -1,0 +1,35 @@
+// RUN: rslc -verify -fsyntax-only -ferror-limit=0 %s
+
+struct Pair { float x = 1; }
+
+surface coshaders(shader layer = null; shader layers[] = {}; uniform string names[2] = {"a", "b"}) {
+  shader s1 = "layer";              // expected-error {{initialising 's1': a value of type 'string' is no 'shader'}}
+  shader s2 = 1;                    // expected-error {{initialising 's2': a value of type 'float' is no 'shader'}}
+  string text = layer;              // expected-error {{initialising 'text': a value of type 'shader' is no 'string'}}
+  shader s3 = getshader(1);         // expected-error {{argument 1 of 'getshader': a value of type 'float' is no 'string'}}
+  shader s4 = getshader();          // expected-error {{'getshader' takes the name of a shader}}
+  shader s5 = getshaders();         // expected-error {{initialising 's5': a value of type 'shader[]' is no 'shader'}}
+  shader all[] = getshaders("category");    // expected-error {{'getshaders' takes nothing, or "category" and its name}}
+  shader lights[] = getlights();    // expected-warning {{lights have no handles here: 'getlights' gives none}}
+  if (layer == "a") Ci = 1;         // expected-error {{'==' does not compare 'shader' and 'string'}}
+  if (layer < null) Ci = 1;         // expected-error {{'<' does not compare 'shader' and 'shader'}}
+  if (layer) Ci = 1;                // expected-error {{a condition must be a comparison or a float, not 'shader'}}
+  Ci = layer + 1;                   // expected-error {{'+' does not take 'shader' and 'float'}}
+  layer->gain = 2;                  // expected-error {{'=' needs a variable to its left}}
+  Ci = layer->tint(names[0]);       // expected-warning {{a value of type 'string' cannot be handed to another shader; 'tint' is not called}}
+  Ci = layer->tint(names);          // expected-warning {{a value of type 'string[2]' cannot be handed to another shader}}
+  matrix m;
+  Ci = layer->tint(m, m, 1);        // expected-warning {{33 numbers are more than the 32 that can be handed to another shader; 'tint' is not called}}
+  Ci = layer->tint(unknown);        // expected-error {{unknown variable 'unknown'}}
+  float f = getvar(layer, "gain");  // expected-error {{'getvar' takes a shader, a name and a variable}}
+  f = getvar(layer, "gain", text);  // expected-error {{'getvar' gives numbers, not a 'string'}}
+  f = getvar("layer", "gain", f);   // expected-error {{argument 1 of 'getvar': a value of type 'string' is no 'shader'}}
+  if (layer->kind == "a") Ci = 1;   // expected-warning {{another shader's text is not known here; 'kind' is not called}}
+  text = layer->named(1);           // expected-warning {{another shader cannot give a 'string'; 'named' is not called}}
+  // What is allowed.
+  shader next = f > 0 ? layer : null;
+  shader some[2];
+  some[1] = layers[0];
+  if (next != some[1] && layers[0] == null) Ci = color layer->tint(f, P, m) * layer->gain;
+  layer->initialise();
+}
