@@ -52,7 +52,8 @@ void load(OIIO::ImageBuf &picture, const std::string &name, const Location &wher
     throw UserError(where, "cannot read '" + name + "': " + picture.geterror());
 }
 
-/// The six faces as one picture in latitude and longitude, y up.
+/// The six faces as one picture in latitude and longitude, as environment() looks it up: z up, +x
+/// at the left edge.
 OIIO::ImageBuf unfold(const TextureUse &use) {
   OIIO::ImageBuf cube[6];
   int channels = 1, width = 1;
@@ -66,10 +67,10 @@ OIIO::ImageBuf unfold(const TextureUse &use) {
   std::vector<float> pixel(static_cast<size_t>(channels));
   for (int y = 0; y < 2 * width; ++y)
     for (int x = 0; x < 4 * width; ++x) {
-      double longitude = ((x + 0.5) / (4 * width) - 0.5) * 2 * std::numbers::pi;
+      double longitude = (x + 0.5) / (4 * width) * 2 * std::numbers::pi;
       double latitude = (0.5 - (y + 0.5) / (2 * width)) * std::numbers::pi;
-      CubePlace place = onCube({-std::sin(longitude) * std::cos(latitude), std::sin(latitude),
-                                std::cos(longitude) * std::cos(latitude)});
+      CubePlace place = onCube({std::cos(longitude) * std::cos(latitude),
+                                std::sin(longitude) * std::cos(latitude), std::sin(latitude)});
       const OIIO::ImageBuf &face = cube[place.face];
       std::fill(pixel.begin(), pixel.end(), 0.0f);
       face.interppixel(float((0.5 + 0.5 * scale * place.x) * face.spec().width),
