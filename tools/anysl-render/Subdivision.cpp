@@ -16,6 +16,8 @@
 #include "tools/anysl-render/LimitSurface.h"
 #include "tools/anysl-render/Tessellate.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <set>
 
@@ -316,13 +318,19 @@ void SubdivisionDicer::addQuad(const Quad &quad) {
 }
 
 std::unique_ptr<Mesh> SubdivisionDicer::run(const Dicing &dicing) {
-  for (const Quad &quad : quads)
-    for (uint32_t side = 0; side < sides; ++side) {
-      uint32_t count = dicing.segments([&](double t) {
+  std::vector<std::array<uint32_t, sides>> counts(quads.size());
+  tbb::parallel_for(size_t(0), quads.size(), [&](size_t i) {
+    for (uint32_t side = 0; side < sides; ++side)
+      counts[i][side] = dicing.segments([&](double t) {
         Place at = onSide(side, t);
-        return limit->evaluate(quad.face, quad.corner, at.x, at.y);
+        return limit->evaluate(quads[i].face, quads[i].corner, at.x, at.y);
       });
+  });
+  for (size_t i = 0; i < quads.size(); ++i)
+    for (uint32_t side = 0; side < sides; ++side) {
       // Edges can be halved.
+      const Quad &quad = quads[i];
+      uint32_t count = counts[i][side];
       count = isHalfEdge(quad, side) ? 2 * count : quad.whole ? count + count % 2 : count;
       uint32_t &most = pieces(quad, side);
       most = std::max(most, count);

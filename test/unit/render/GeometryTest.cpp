@@ -299,3 +299,30 @@ TEST_CASE("a tessellated sphere with normals has no steps at the shadow terminat
   // What a white surface loses there, in parts of full light.
   CHECK(darkest < 1.0 / 255);
 }
+
+TEST_CASE("shapes without extent and of enormous size do no harm", "[geometry]") {
+  for (const char *shape :
+       {"Polygon \"P\" [-1e30 0 0 1e30 0 0 0 1e30 0]", "Polygon \"P\" [0 0 0 0 0 0 0 0 0]",
+        "Polygon \"P\" [-1e300 0 0 1e300 0 0 0 1e300 0]",
+        "Curves \"linear\" [2] \"nonperiodic\" \"P\" [-1e30 0 0 1e30 0 0] \"constantwidth\" [1e30]",
+        "Curves \"cubic\" [4] \"nonperiodic\" \"P\" [0 0 0 0 0 0 0 0 0 0 0 0] \"constantwidth\" "
+        "[0]",
+        "Curves \"linear\" [2] \"nonperiodic\" \"P\" [-1 0 0 1 0 0] \"constantwidth\" [-1]",
+        "Points \"P\" [1e30 0 0 0 0 0] \"constantwidth\" [1e30]",
+        "Points \"P\" [0 0 0] \"constantwidth\" [1] \"N\" [0 0 0]",
+        "SubdivisionMesh \"catmull-clark\" [4] [0 1 2 3] [\"interpolateboundary\"] [0 0] [] [] "
+        "\"P\" [-1e30 -1 0 1 -1 0 1 1 0 -1 1 0]",
+        "SubdivisionMesh \"catmull-clark\" [3 3 3] [0 1 2 0 1 3 0 1 4] [\"interpolateboundary\"] "
+        "[0 0] [] [] \"P\" [0 0 0 1 0 0 0 1 0 0 0 1 1 1 1]",
+        "SubdivisionMesh \"catmull-clark\" [4] [0 1 2 3] [\"interpolateboundary\"] [0 0] [] [] "
+        "\"P\" [0 0 0 0 0 0 0 0 0 0 0 0]",
+        "Patch \"bilinear\" \"P\" [0 0 0 0 0 0 0 0 0 0 0 0]",
+        "Patch \"bilinear\" \"Pw\" [0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0]",
+        "Patch \"bilinear\" \"P\" [-1e200 0 0 1 0 0 0 1 0 1e200 1 0]"}) {
+    INFO(shape);
+    TestScene scene(std::string("WorldBegin Translate 0 0 5 ") + shape + " WorldEnd");
+    for (double x : {-0.2, 0.0, 0.1})
+      if (auto point = scene.look({x, 0.05, 1}))
+        CHECK(isFinite(point->frame.P));
+  }
+}
