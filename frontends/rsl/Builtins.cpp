@@ -159,8 +159,9 @@ struct Table {
       overloads.push_back(&builtin);
     }
 #define RSL_SPECIAL(result, name, arguments, meaning) names.push_back(#name);
-#define RSL_QUERY(name, meaning) names.push_back(#name);
 #include "frontends/rsl/Builtins.def"
+    for (const stc::QueryKind &kind : stc::allQueryKinds())
+      names.push_back(kind.name);
   }
 };
 
@@ -189,23 +190,12 @@ ArrayRef<const Builtin *> builtinsNamed(StringRef name) {
 
 ArrayRef<StringRef> builtinNames() { return table().names; }
 
-bool isQuery(StringRef name) {
-  static constexpr StringLiteral names[] = {
-#define RSL_QUERY(name, meaning) #name,
-#include "frontends/rsl/Builtins.def"
-  };
-  return is_contained(names, name);
-}
-
 TypeKind specialResult(StringRef name) {
 #define RSL_SPECIAL(result, special, arguments, meaning)                                           \
   if (name == #special)                                                                            \
     return StringRef(#result) == "condition" ? TypeKind::Error : typeNamed(#result);
-#define RSL_QUERY(query, meaning)                                                                  \
-  if (name == #query)                                                                              \
-    return TypeKind::Float;
 #include "frontends/rsl/Builtins.def"
-  return TypeKind::Error;
+  return stc::queryKindNamed(name) ? TypeKind::Float : TypeKind::Error;
 }
 
 StringRef missingFor(StringRef name) {

@@ -91,8 +91,6 @@ llvm::ArrayRef<Builtin> allBuiltins();
 llvm::ArrayRef<const Builtin *> builtinsNamed(llvm::StringRef name);
 /// Each name once.
 llvm::ArrayRef<llvm::StringRef> builtinNames();
-/// Whether a name is a query: float name(string, variable).
-bool isQuery(llvm::StringRef name);
 /// What a query or a built-in without a fixed list of arguments gives; Error if that depends on the
 /// arguments, or for any other name.
 TypeKind specialResult(llvm::StringRef name);

@@ -202,16 +202,6 @@ Value *Lowering::callComponentWise(const CallExpr &call) {
   return components[0];
 }
 
-/// The light at hand knows its parameters; every other question has no answer.
-Value *Lowering::callQuery(const CallExpr &call) {
-  if (call.name == "lightsource")
-    return callLightSource(call);
-  if (!isa<StringExpr>(call.args[0]))
-    lower(call.args[0]);
-  at(call.loc);
-  return number(0);
-}
-
 /// Expands a function in place.
 Value *Lowering::callFunction(const CallExpr &call) {
   const FunctionDecl &function = *call.function;

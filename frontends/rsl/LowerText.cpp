@@ -113,9 +113,4 @@ Value *Lowering::callConcat(const CallExpr &call) {
   return result;
 }
 
-Value *Lowering::callShaderName(const CallExpr &call) {
-  at(call.loc);
-  return text(shaderName);
-}
-
 } // namespace anysl::rsl

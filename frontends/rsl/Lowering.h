@@ -140,10 +140,11 @@ private:
   Value *callFunction(const CallExpr &call);
   Value *callComponentWise(const CallExpr &call);
   Value *callSpline(const CallExpr &call); // LowerSpline.cpp
-  Value *callQuery(const CallExpr &call);
+  Value *callQuery(const CallExpr &call);  // LowerQuery.cpp
+  Value *query(const stc::QueryKind &kind, Value *subject, Value *name, Type type, Value *variable);
+  Value *callShaderName(const CallExpr &call);
   Value *callFormat(const CallExpr &call); // LowerText.cpp
   Value *callConcat(const CallExpr &call);
-  Value *callShaderName(const CallExpr &call);
   static bool effectsAfter(const CallExpr &call, size_t argument);
   bool hasContext(SMLoc loc);
 

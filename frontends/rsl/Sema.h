@@ -193,12 +193,14 @@ private:
   Expr *checkSpecial(CallExpr &call, TypeKind hint);
   Expr *checkArrayLengthCall(CallExpr &call);
   Expr *checkSpline(CallExpr &call, TypeKind hint);
+  // Queries (SemaQuery.cpp)
   Expr *checkQuery(CallExpr &call);
+  Expr *checkShaderName(CallExpr &call);
+  void checkIsInLight(const CallExpr &call);
   // Text (SemaText.cpp)
   Expr *checkFormat(CallExpr &call);
   std::vector<FormatDirective> directivesOf(const StringExpr &format);
   Expr *checkConcat(CallExpr &call);
-  Expr *checkShaderName(CallExpr &call);
   // Forms of built-ins that are calls of another (SemaDerivatives.cpp); null if the call has none.
   Expr *rewriteCall(CallExpr &call, TypeKind hint);
   Expr *rewriteFilterstep(CallExpr &call, size_t positional, TypeKind hint);

@@ -13,8 +13,6 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-static constexpr WarningGroup Unanswered{"unanswered", true};
-
 Expr *Sema::checkSpecial(CallExpr &call, TypeKind hint) {
   if (call.name == "arraylength")
     return checkArrayLengthCall(call);
@@ -30,7 +28,7 @@ Expr *Sema::checkSpecial(CallExpr &call, TypeKind hint) {
     return checkConcat(call);
   if (call.name == "shadername")
     return checkShaderName(call);
-  return isQuery(call.name) ? checkQuery(call) : nullptr;
+  return stc::queryKindNamed(call.name) ? checkQuery(call) : nullptr;
 }
 
 /// arraylength(a) is a constant.
@@ -131,32 +129,6 @@ Expr *Sema::checkSpline(CallExpr &call, TypeKind hint) {
     bad = true;
   }
   call.type = {bad ? TypeKind::Error : kind, varying};
-  return &call;
-}
-
-/// lightsource(name, variable) and its like.
-Expr *Sema::checkQuery(CallExpr &call) {
-  call.form = CallForm::Query;
-  call.type = {TypeKind::Error};
-  if (call.args.size() != 2) {
-    diags.error(call.loc, "'" + call.name + "' takes a name and a variable").range(call.nameRange);
-    for (Expr *arg : call.args)
-      check(arg);
-    return &call;
-  }
-  call.args[0] = checkAs(call.args[0], {TypeKind::String}, "argument 1 of '" + call.name + "'");
-  call.args[1] = check(call.args[1]);
-  call.hasEffects = true;
-  if (call.name == "lightsource")
-    return checkLightSource(call);
-  checkTarget(call.args[1], false, call.args[1]->loc,
-              ("output argument 2 of '" + call.name + "'").str());
-  diags
-      .warning(call.loc, Unanswered,
-               "nothing answers '" + call.name + "'; it gives 0 and leaves its variable alone")
-      .range(call.range);
-  call.type = {call.args[0]->type.isError() || call.args[1]->type.isError() ? TypeKind::Error
-                                                                            : TypeKind::Float};
   return &call;
 }
 

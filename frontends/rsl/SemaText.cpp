@@ -128,15 +128,4 @@ Expr *Sema::checkConcat(CallExpr &call) {
   return &call;
 }
 
-/// shadername() is the name of the shader at hand, known where a function is expanded.
-Expr *Sema::checkShaderName(CallExpr &call) {
-  call.form = CallForm::ShaderName;
-  call.type = {TypeKind::String};
-  if (!call.args.empty()) {
-    diags.error(call.loc, "'shadername' takes no arguments").range(call.nameRange);
-    call.type = {TypeKind::Error};
-  }
-  return &call;
-}
-
 } // namespace anysl::rsl

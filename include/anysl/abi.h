@@ -158,6 +158,25 @@ typedef struct AnyslHits {
   float *opacity[3];
 } AnyslHits;
 
+/** What shaders ask for by name, by the names of QueryKinds.def: ANYSL_QUERY_attribute, ... */
+typedef enum AnyslQueryKind {
+#define ANYSL_QUERY(id, name, storage, doc) ANYSL_QUERY_##name = id,
+#include <anysl/QueryKinds.def>
+  ANYSL_QUERY_KIND_COUNT
+} AnyslQueryKind;
+
+/** One question: attribute("user:weights", w) for one element of w. */
+typedef struct AnyslQuery {
+  uint32_t kind;         /**< AnyslQueryKind */
+  uint32_t type;         /**< AnyslType of the variable; ANYSL_VECTOR also for points and normals */
+  uint32_t array_length; /**< of the variable; 0: not an array */
+  uint32_t element;      /**< of the variable: which of its elements is wanted */
+  uint32_t light;        /**< lightsource: the light's number in AnyslShadeArgs::lights */
+  uint32_t reserved;
+  const char *name;    /**< never null */
+  const char *subject; /**< textureinfo: the file; else "" */
+} AnyslQuery;
+
 /**
  * What a renderer does for its shaders. A null function is one that the renderer does not offer; asking
  * for it gives the stated neutral value. Every function may be called by many threads at once.
@@ -253,7 +272,20 @@ typedef struct AnyslServices {
       called; null behind the last. Neutral: there are none. */
   const char *(*shader_name)(void *renderer, const struct AnyslShadeArgs *args, const char *category,
                              uint32_t index);
+  /**
+   * Answers a question. If there is such a thing and the variable can take its value as the shading
+   * language would assign it (anysl_answer() of libanysl decides), sets `value`, as many cells as
+   * the type has components, and returns 1; else returns 0. `point` asks; it is 0 where
+   * QueryKinds.def says `uniform`. Such a question is asked once for many points. The name
+   * ANYSL_QUERY_SHADER_NAME asks for a shader's own name. While defaults are computed, args->batch
+   * is null. Neutral: 0.
+   */
+  int (*query)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+               const AnyslQuery *query, AnyslCell *value);
 } AnyslServices;
+
+/** The name by which a shader asks for the name of another, or of itself, as a string. */
+#define ANYSL_QUERY_SHADER_NAME "shadername"
 
 /** A batch of points that share one set of parameters. The host fills it; shaders change only outputs. */
 typedef struct AnyslShadeArgs {

@@ -45,11 +45,12 @@ extern "C" {
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
 ANYSL_ASSERT_SIZE(AnyslLight, 72);
-ANYSL_ASSERT_SIZE(AnyslServices, 168);
+ANYSL_ASSERT_SIZE(AnyslServices, 176);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
 ANYSL_ASSERT_SIZE(AnyslTexturePoints, 96);
 ANYSL_ASSERT_SIZE(AnyslHits, 112);
 ANYSL_ASSERT_SIZE(AnyslShadeArgs, 128);
+ANYSL_ASSERT_SIZE(AnyslQuery, 40);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
 ANYSL_ASSERT_SIZE(AnyslEntryInfo, 16);
 ANYSL_ASSERT_SIZE(AnyslShaderInfo, 72);
@@ -180,6 +181,24 @@ ANYSL_API AnyslStatus anysl_instance_get_numbers(const AnyslInstance *instance, 
 ANYSL_API AnyslStatus anysl_instance_get_strings(const AnyslInstance *instance, const char *param,
                                                  const char **values, size_t count);
 
+/**
+ * Answers an AnyslQuery with a value that the renderer has: \p cells, as many as the components of
+ * all its elements (\p array_length 0: not an array). Returns 1 and sets \p value if the variable
+ * can take it: of the same length, and of the same type or of one that converts as in the shading
+ * language (a float to anything but text; colours, points, vectors and normals to each other).
+ */
+ANYSL_API int anysl_answer(const AnyslQuery *query, uint32_t type, uint32_t array_length,
+                           const AnyslCell *cells, AnyslCell *value);
+
+/**
+ * Answers an AnyslQuery from a shader's parameters, or its name (ANYSL_QUERY_SHADER_NAME): what the
+ * arrays of \p args (null: there are none) have for \p point, of parameters that are bound point by
+ * point and of output parameters, else the instance's own value. Texts live as long as the instance
+ * is not changed.
+ */
+ANYSL_API int anysl_instance_answer(const AnyslInstance *instance, const AnyslShadeArgs *args,
+                                    uint32_t point, const AnyslQuery *query, AnyslCell *value);
+
 /** For renderers with arrays of their own: fills in what the instance knows (struct_size, params,
     param_is_set, services, renderer, library) and sets the rest to null. The caller sets count, globals and
    what else it has, and calls a function of anysl_shader_entry() on it. */
@@ -228,6 +247,10 @@ ANYSL_API AnyslStatus anysl_batch_read_float(const AnyslBatch *batch, int global
                                              uint32_t count, float *values, size_t stride);
 ANYSL_API AnyslStatus anysl_batch_read_double(const AnyslBatch *batch, int global, uint32_t first,
                                               uint32_t count, double *values, size_t stride);
+
+/** What the batch's points are shaded with, but what an instance adds (parameters, services): for
+   anysl_instance_answer(). */
+ANYSL_API const AnyslShadeArgs *anysl_batch_args(const AnyslBatch *batch);
 
 /** Where the first point's value of a component lies, for renderers that fill batches in place;
    null if the batch has no room for it. \p stride is set to the distance from point to point, in

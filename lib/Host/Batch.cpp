@@ -432,6 +432,8 @@ AnyslStatus anysl_batch_set_seeds(AnyslBatch *batch, const uint32_t *seeds) {
   });
 }
 
+const AnyslShadeArgs *anysl_batch_args(const AnyslBatch *batch) { return &batch->args; }
+
 void anysl_batch_set_user(AnyslBatch *batch, void *user) { batch->args.batch = user; }
 
 AnyslStatus anysl_shade(const AnyslInstance *instance, AnyslBatch *batch, uint32_t first,

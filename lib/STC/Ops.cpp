@@ -81,11 +81,27 @@ const OpInfo &info(Op op) {
 std::optional<IdKind> idKind(const OpInfo &op) {
   if (none_of(op.params, [](const OpParam &param) { return param.kind == ParamKind::Id; }))
     return std::nullopt;
+  if (op.name.starts_with("query_"))
+    return IdKind::Query;
   if (op.name.contains("_global_"))
     return IdKind::Global;
   if (op.name.starts_with("load_param_") || op.name.starts_with("store_param_"))
     return IdKind::Cell;
   return IdKind::Param;
+}
+
+ArrayRef<QueryKind> allQueryKinds() {
+  static constexpr bool uniform = false, varying = true;
+  static constexpr QueryKind kinds[] = {
+#define ANYSL_QUERY(id, name, storage, doc) {id, #name, storage, doc},
+#include <anysl/QueryKinds.def>
+  };
+  return kinds;
+}
+
+const QueryKind *queryKindNamed(StringRef name) {
+  auto found = find_if(allQueryKinds(), [&](const QueryKind &kind) { return kind.name == name; });
+  return found == allQueryKinds().end() ? nullptr : found;
 }
 
 const OpInfo *opNamed(StringRef name) { return opsByName().lookup(name); }

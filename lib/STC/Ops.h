@@ -93,10 +93,21 @@ struct OpInfo {
 llvm::ArrayRef<OpInfo> allOps();
 const OpInfo &info(Op op);
 
-/// What an operator's Id parameter numbers: an entry of Globals.def, a cell of the parameters, or a
-/// parameter. Nothing for an operator without Id.
-enum class IdKind : uint8_t { Global, Cell, Param };
+/// What an operator's Id parameter numbers: an entry of Globals.def, a cell of the parameters, a
+/// parameter, or an entry of QueryKinds.def. Nothing for an operator without Id.
+enum class IdKind : uint8_t { Global, Cell, Param, Query };
 std::optional<IdKind> idKind(const OpInfo &op);
+
+/// A line of <anysl/QueryKinds.def>: what a shader may ask the renderer for by name.
+struct QueryKind {
+  unsigned id;
+  llvm::StringLiteral name;
+  bool varying; ///< answers differ from point to point
+  llvm::StringLiteral doc;
+};
+llvm::ArrayRef<QueryKind> allQueryKinds();
+/// Null if there is none.
+const QueryKind *queryKindNamed(llvm::StringRef name);
 
 /// The prefix of every operator's function.
 inline constexpr llvm::StringLiteral opPrefix = "anysl_";

@@ -340,7 +340,7 @@ void ModuleVerifier::checkIds(const CallInst &call, const OpInfo &op) {
   auto kind = idKind(op);
   if (!kind)
     return;
-  if (!shader)
+  if (!shader && *kind != IdKind::Query)
     return problem(call, "'" + op.symbol() + "' outside a shader's own functions");
 
   // A number beyond 2^31 is as wrong as one just beyond the last.
@@ -349,6 +349,11 @@ void ModuleVerifier::checkIds(const CallInst &call, const OpInfo &op) {
     if (param.kind == ParamKind::Id)
       number = unsigned(cast<ConstantInt>(operand)->getValue().getLimitedValue(UINT32_MAX));
 
+  if (*kind == IdKind::Query) {
+    if (none_of(allQueryKinds(), [&](const QueryKind &entry) { return entry.id == number; }))
+      problem(call, "there is no kind of query number " + Twine(number));
+    return;
+  }
   if (*kind != IdKind::Global)
     return checkParameterUse(call, op, *kind, number);
   const GlobalVariableInfo *global = globalNumbered(number);

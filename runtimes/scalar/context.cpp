@@ -7,6 +7,7 @@
 
 #include <anysl/standard/hooks.h>
 #include <anysl/standard/params.h>
+#include <anysl/standard/queries.h>
 #include <anysl/standard/random.h>
 #include <anysl/standard/shaders.h>
 #include <anysl/standard/spaces.h>

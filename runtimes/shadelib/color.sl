@@ -19,6 +19,18 @@ color fromHue(float hue) {
   return clamp(color(abs(sixths - 3) - 1, 2 - abs(sixths - 2), 2 - abs(sixths - 4)), color(0), color(1));
 }
 
+color xyzFromRgb(float r, g, b) {
+  return color(0.4124564 * r + 0.3575761 * g + 0.1804375 * b,
+               0.2126729 * r + 0.7151522 * g + 0.0721750 * b,
+               0.0193339 * r + 0.1191920 * g + 0.9503041 * b);
+}
+
+color rgbFromXyz(float x, y, z) {
+  return color(3.24045483602 * x - 1.5371388501 * y - 0.498531546868 * z,
+               -0.969266389876 * x + 1.87601092884 * y + 0.0415560823467 * z,
+               0.0556434196042 * x - 0.204025854268 * y + 1.05722516246 * z);
+}
+
 color fromRgb(string space; color c) {
   float r = comp(c, 0), g = comp(c, 1), b = comp(c, 2);
   color result = c;
@@ -30,14 +42,16 @@ color fromRgb(string space; color c) {
       result = color(hue, range / largest, largest);
     else
       result = color(hue, range / (1 - abs(sum - 1)), 0.5 * sum);
-  } else if (space == "yiq") {
+  } else if (space == "yiq" || space == "YIQ") {
     result = color(0.299 * r + 0.587 * g + 0.114 * b,
                    0.595716 * r - 0.274453 * g - 0.321263 * b,
                    0.211456 * r - 0.522591 * g + 0.311135 * b);
   } else if (space == "xyz" || space == "XYZ") {
-    result = color(0.4124564 * r + 0.3575761 * g + 0.1804375 * b,
-                   0.2126729 * r + 0.7151522 * g + 0.0721750 * b,
-                   0.0193339 * r + 0.1191920 * g + 0.9503041 * b);
+    result = xyzFromRgb(r, g, b);
+  } else if (space == "xyY") {
+    color xyz = xyzFromRgb(r, g, b);
+    float sum = comp(xyz, 0) + comp(xyz, 1) + comp(xyz, 2);
+    result = color(comp(xyz, 0) / sum, comp(xyz, 1) / sum, comp(xyz, 1));
   }
   return result;
 }
@@ -50,14 +64,15 @@ color toRgb(string space; color c) {
   } else if (space == "hsl") {
     float range = y * (1 - abs(2 * z - 1));
     result = color(z) + range * (fromHue(x) - color(0.5));
-  } else if (space == "yiq") {
+  } else if (space == "yiq" || space == "YIQ") {
     result = color(1 * x + 0.956295719759 * y + 0.621024416465 * z,
                    1 * x - 0.272122099319 * y - 0.647380596826 * z,
                    1 * x - 1.10698901674 * y + 1.70461499836 * z);
   } else if (space == "xyz" || space == "XYZ") {
-    result = color(3.24045483602 * x - 1.5371388501 * y - 0.498531546868 * z,
-                   -0.969266389876 * x + 1.87601092884 * y + 0.0415560823467 * z,
-                   0.0556434196042 * x - 0.204025854268 * y + 1.05722516246 * z);
+    result = rgbFromXyz(x, y, z);
+  } else if (space == "xyY") {
+    float scale = z / y;
+    result = rgbFromXyz(x * scale, z, (1 - x - y) * scale);
   }
   return result;
 }

@@ -12,3 +12,4 @@
 #include "color.sl"
 #include "light.sl"
 #include "rays.sl"
+#include "renderer.sl"

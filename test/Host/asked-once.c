@@ -1,6 +1,6 @@
 // A renderer is asked for the matrix of a coordinate system once for all points, at every width, also by a shader
 // that looks at lights in between; a matrix whose name differs from point to point is asked for as needed. So it is
-// with text.
+// with text, attributes and options; what can differ from point to point is asked for at each.
 //
 // UNSUPPORTED: sanitizer
 // (it links a program without the sanitizer's runtime)
@@ -8,6 +8,8 @@
 // RUN: printf 'surface names() { string n = "hall"; if (s > 0.5) n = "room"; Ci = xcomp(transform(n, P)); }' >> %t.sl
 // RUN: printf 'surface text(float k = 3) { Ci = diffuse(N); Ci = format("%%%%g+%%%%g", k, k) == "3+3" ? 1 : 2; }' >> %t.sl
 // RUN: printf 'surface texts() { Ci = format("%%%%g", s) == "1" ? 1 : 2; }' >> %t.sl
+// RUN: printf 'surface attributes() { float x = 0, y[2]; option("o", y); Ci = diffuse(N); if (attribute("a", x) == 1) Ci = x + y[1]; }' >> %t.sl
+// RUN: printf 'surface rays() { float x = 0; rayinfo("r", x); Ci = 2 - x; }' >> %t.sl
 // RUN: rslc %t.sl -o %t.stc.bc
 // RUN: anysl-link %t.stc.bc --runtime packet --width 1,4,8,16 -o %t.packet.so
 // RUN: anysl-link %t.stc.bc --runtime scalar --width 1,4,8,16 -o %t.scalar.so
@@ -18,6 +20,8 @@
 // CHECK-COUNT-4: names: asked often, right
 // CHECK-COUNT-4: text: asked seldom, right
 // CHECK-COUNT-4: texts: asked often, right
+// CHECK-COUNT-4: attributes: asked seldom, right
+// CHECK-COUNT-4: rays: asked often, right
 
 #include <anysl/anysl.h>
 #include <stdio.h>
@@ -45,16 +49,25 @@ static const char *append(void *renderer, const char *text, const char *format, 
   return index ? (!strcmp(text, "3") ? "3+3" : "?") : value->number == 3 ? "3" : value->number == 1 ? "1" : "0";
 }
 
+/* The attribute is 3, elements of the option are 4; the ray's answer is the point's number, modulo 2. */
+static int query(void *renderer, const AnyslShadeArgs *args, uint32_t point, const AnyslQuery *query,
+                 AnyslCell *value) {
+  ++*(int *)renderer;
+  value->number = query->kind == ANYSL_QUERY_attribute ? 3 : query->kind == ANYSL_QUERY_option ? 4 : point % 2;
+  return 1;
+}
+
 static void run(AnyslLibrary *library, const char *name, uint32_t width) {
   static float s[POINTS], Ci[POINTS][3];
   const float zero[3] = {0, 0, 0};
   AnyslServices services = {0};
   AnyslInstance *instance = NULL;
   AnyslBatch *batch = NULL;
-  int i, calls = 0, right = 1, varying = !strcmp(name, "names") || !strcmp(name, "texts");
+  int i, calls = 0, right = 1, varying = !strcmp(name, "names") || !strcmp(name, "texts") || !strcmp(name, "rays");
   services.struct_size = sizeof services;
   services.space_matrix = spaceMatrix;
   services.append = append;
+  services.query = query;
   for (i = 0; i < POINTS; ++i)
     s[i] = (float)(i % 2);
   if (anysl_instance_create(library, name, &services, &calls, &instance) ||
@@ -86,6 +99,10 @@ int main(int argc, char **argv) {
     run(library, "text", widths[i]);
   for (i = 0; i < 4; ++i)
     run(library, "texts", widths[i]);
+  for (i = 0; i < 4; ++i)
+    run(library, "attributes", widths[i]);
+  for (i = 0; i < 4; ++i)
+    run(library, "rays", widths[i]);
   anysl_library_close(library);
   return 0;
 }

@@ -114,7 +114,7 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
   };
   storeGlobals(wanted, SurfacePoint(), Ray(), 0, allocate);
   storeUniformGlobals(wanted, scene, allocate);
-  ParameterArrays<Real> parameters(arena, shader, bound, false, layout, size);
+  ParameterArrays<Real> parameters(arena, shader, bound, false, false, layout, size);
 
   for (uint32_t i = 0; i < count; ++i) {
     uint32_t place = placeOf[first + i];

@@ -16,6 +16,7 @@
 #include "tools/anysl-render/Host.h"
 #include "tools/anysl-render/ParameterArrays.h"
 #include "tools/anysl-render/Pictures.h"
+#include "tools/anysl-render/Queries.h"
 
 #include <algorithm>
 #include <bit>
@@ -120,6 +121,8 @@ struct PacketBatch {
   const uint32_t *seeds;
   uint32_t *rays; ///< how many rays each point has traced so far
   unsigned depth;
+  const Shader *volume;                    ///< that the rays came through, or null
+  const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
 };
 
 class PacketHostBase : public Host {
@@ -162,8 +165,9 @@ public:
 private:
   void shade(ThreadState &state, const Members &members, const Outcome &outcome) const;
   /// Runs a shader; `values` may be null.
-  void run(const Shader &shader, PacketBatch &batch, uint32_t count, const GlobalArrays &globals,
-           const ParameterArrays<float> *values) const;
+  /// Shades, and gives back what with.
+  AnyslShadeArgs run(const Shader &shader, PacketBatch &batch, uint32_t count,
+                     const GlobalArrays &globals, const ParameterArrays<float> *values) const;
 
   Scene theScene;
 };
@@ -340,7 +344,7 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
   std::optional<ParameterArrays<float>> values;
   if (shader)
     values.emplace(state.arena, *shader, members.group.bound, members.channels != nullptr,
-                   ANYSL_LAYOUT_SOA, size);
+                   volume && volume->asksByName(), ANYSL_LAYOUT_SOA, size);
 
   float *depths = state.arena.allocate<float>(size);
   for (uint32_t i = 0; i < count; ++i) {
@@ -371,9 +375,10 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
     seeds[i] = i < count ? rays.seed[members.numbers[i]] : 0;
     traced[i] = 0;
   }
-  PacketBatch batch{this, &state, &members.group, &starts, seeds, traced, members.depth};
+  PacketBatch batch{this, &state, &members.group, &starts, seeds, traced, members.depth, volume};
+  AnyslShadeArgs surface = {};
   if (shader)
-    run(*shader, batch, count, globals, &*values);
+    surface = run(*shader, batch, count, globals, &*values);
 
   for (uint32_t i = 0; members.channels && i < count; ++i) {
     uint32_t target = rays.target[members.numbers[i]];
@@ -392,6 +397,7 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
                 volumeGlobals.component + ANYSL_COMPONENT_Oi);
     for (uint32_t i = 0; i < count; ++i)
       seeds[i] = hash(seeds[i], throughVolume);
+    batch.surface = shader ? &surface : nullptr;
     run(*volume, batch, count, volumeGlobals, nullptr);
   }
 
@@ -414,8 +420,9 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
 }
 
 template <unsigned W>
-void PacketHost<W>::run(const Shader &shader, PacketBatch &batch, uint32_t count,
-                        const GlobalArrays &globals, const ParameterArrays<float> *values) const {
+AnyslShadeArgs PacketHost<W>::run(const Shader &shader, PacketBatch &batch, uint32_t count,
+                                  const GlobalArrays &globals,
+                                  const ParameterArrays<float> *values) const {
   ThreadState &state = *batch.state;
   AnyslShadeArgs args = makeShadeArgs(shader, *batch.group, count, &batch);
   args.globals = reinterpret_cast<void *const *>(globals.component);
@@ -428,6 +435,7 @@ void PacketHost<W>::run(const Shader &shader, PacketBatch &batch, uint32_t count
   state.startShading();
   shader.shade(&args, 0, count);
   state.stopShading();
+  return args;
 }
 
 void PacketHostBase::transmission(ThreadState &state, RayList &rays, Vec3f *passing) const {
@@ -617,6 +625,14 @@ void serveTransmission(void *renderer, const AnyslShadeArgs *args, uint32_t poin
   std::copy_n(result, 3, color);
 }
 
+int serveNamed(void *renderer, const AnyslShadeArgs *args, uint32_t point, const AnyslQuery *query,
+               AnyslCell *value) {
+  Asker asker;
+  if (const auto *batch = static_cast<const PacketBatch *>(args->batch))
+    asker = {batch->group, batch->volume, batch->surface, batch->depth};
+  return serveQuery(*static_cast<const Shader *>(renderer), asker, args, point, *query, value);
+}
+
 int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to,
                 double *matrix) {
   const auto *batch = static_cast<const PacketBatch *>(args->batch);
@@ -637,6 +653,7 @@ const AnyslServices services = [] {
   offered.environment = outsideShading<serveEnvironment>;
   offered.shadow = outsideShading<serveShadow>;
   offered.trace_hit = serveHits;
+  offered.query = serveNamed;
   return offered;
 }();
 

@@ -19,26 +19,31 @@ namespace anysl::render {
 template <typename Real>
 class ParameterArrays {
 public:
-  /// Room for `stride` points, with outputs where the shader is asked for them.
+  /// Room for `stride` points, with outputs where the shader is asked for them: those that a
+  /// picture shows, and all where another shader may ask.
   ParameterArrays(Arena &arena, const Shader &shader, std::span<const Binding> bound,
-                  bool withOutputs, AnyslLayout layout, size_t stride)
+                  bool withOutputs, bool allOutputs, AnyslLayout layout, size_t stride)
       : shader(shader), bound(bound), layout(layout), stride(stride) {
-    if (bound.empty() && !(withOutputs && !shader.outputs.empty()))
+    if (bound.empty() && !allOutputs && !(withOutputs && !shader.outputs.empty()))
       return;
     arrays = arena.allocate<Real *>(shader.info->param_count);
     std::fill_n(arrays, shader.info->param_count, nullptr);
     AnyslShadeArgs args;
     anysl_instance_fill_args(shader.instance.get(), &args);
-    for (const Shader::Output &output : shader.outputs) {
-      if (!withOutputs)
-        break;
+    for (uint32_t p = 0; p < shader.info->param_count; ++p) {
+      const AnyslParamInfo &param = shader.info->params[p];
+      bool isShown = withOutputs && std::any_of(shader.outputs.begin(), shader.outputs.end(),
+                                                [&](const auto &each) { return each.param == p; });
+      bool isOutput = (param.flags & ANYSL_PARAM_OUTPUT) && param.type != ANYSL_STRING;
+      if (!isShown && !(allOutputs && isOutput))
+        continue;
       // One that the shader never assigns has the parameter's value.
-      const AnyslParamInfo &param = shader.info->params[output.param];
       uint32_t components = anysl_type_components(param.type);
-      arrays[output.param] = arena.allocate<Real>(components * stride);
-      for (uint32_t k = 0; k < components; ++k)
+      uint32_t numbers = components * (param.array_length ? param.array_length : 1);
+      arrays[p] = arena.allocate<Real>(numbers * stride);
+      for (uint32_t k = 0; k < numbers; ++k)
         for (size_t i = 0; i < stride; ++i)
-          at(output.param, components, k, i) = Real(args.params[param.first_cell + k].number);
+          at(p, components, k, i) = Real(args.params[param.first_cell + k].number);
     }
     uint32_t most = 0;
     for (const Binding &binding : bound) {

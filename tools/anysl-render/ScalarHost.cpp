@@ -13,6 +13,7 @@
 #include "tools/anysl-render/Host.h"
 #include "tools/anysl-render/ParameterArrays.h"
 #include "tools/anysl-render/Pictures.h"
+#include "tools/anysl-render/Queries.h"
 
 #include <algorithm>
 #include <optional>
@@ -30,6 +31,8 @@ struct PointBatch {
   unsigned depth;
   uint32_t seed;
   uint32_t rays = 0; ///< how many the shader has traced from this point
+  const Shader *volume = nullptr;          ///< that the ray came through, or null
+  const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
 };
 
 /// What shaders make of a point.
@@ -64,8 +67,8 @@ private:
   void shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
              const Shader *volume, PointColors &colors, float *channels) const;
   template <typename Real>
-  void run(const Shader &shader, const ShadingGroup &group, PointBatch &batch, Real *globals,
-           const ParameterArrays<Real> *values) const;
+  AnyslShadeArgs run(const Shader &shader, const ShadingGroup &group, PointBatch &batch,
+                     Real *globals, const ParameterArrays<Real> *values) const;
 
   static void serveTrace(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *,
                          double *);
@@ -92,6 +95,13 @@ private:
     const auto *batch = static_cast<const PointBatch *>(args->batch);
     return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
   }
+  static int serveNamed(void *renderer, const AnyslShadeArgs *args, uint32_t point,
+                        const AnyslQuery *query, AnyslCell *value) {
+    Asker asker;
+    if (const auto *batch = static_cast<const PointBatch *>(args->batch))
+      asker = {batch->group, batch->volume, batch->surface, batch->depth};
+    return serveQuery(*static_cast<const Shader *>(renderer), asker, args, point, *query, value);
+  }
   static const AnyslServices services;
 
   Scene theScene;
@@ -108,6 +118,7 @@ const AnyslServices ScalarHost::services = [] {
   offered.environment = outsideShading<serveEnvironment>;
   offered.shadow = outsideShading<serveShadow>;
   offered.trace_hit = serveHits;
+  offered.query = serveNamed;
   return offered;
 }();
 
@@ -140,6 +151,7 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     Arena::Scope scope(state.arena);
     PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
     batch.starts.set(0, point);
+    batch.volume = volume;
     if (theScene.real() == ANYSL_REAL_DOUBLE)
       shade<double>(batch, hit, point, ray, volume, colors, channels);
     else
@@ -176,15 +188,17 @@ void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &po
                     (channels ? theScene.channels().globals() : 0);
   storeGlobals(wanted, point, ray, ray.travelled, store);
   std::optional<ParameterArrays<Real>> values;
+  AnyslShadeArgs surface = {};
   if (shader) {
     storeUniformGlobals(wanted, theScene, store);
-    values.emplace(arena, *shader, batch.group->bound, channels != nullptr, ANYSL_LAYOUT_AOS, 16);
+    values.emplace(arena, *shader, batch.group->bound, channels != nullptr,
+                   volume && volume->asksByName(), ANYSL_LAYOUT_AOS, 16);
     if (!batch.group->bound.empty())
       values->set(0, theScene.bindingsOf(theScene.geometry().shapeOf(hit)),
                   [&](uint32_t variable, float *value) {
                     theScene.geometry().variable(hit, point, variable, value);
                   });
-    run(*shader, *batch.group, batch, globals, &*values);
+    surface = run(*shader, *batch.group, batch, globals, &*values);
   } else {
     Vec3f Ci = defaultSurface(point, ray.direction);
     for (int k = 0; k < 3; ++k)
@@ -210,6 +224,7 @@ void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &po
     std::copy_n(globals + ANYSL_COMPONENT_Ci, 3, inVolume + ANYSL_COMPONENT_Ci);
     std::copy_n(globals + ANYSL_COMPONENT_Oi, 3, inVolume + ANYSL_COMPONENT_Oi);
     batch.seed = hash(batch.seed, throughVolume);
+    batch.surface = shader ? &surface : nullptr;
     run<Real>(*volume, *batch.group, batch, inVolume, nullptr);
     globals = inVolume;
   }
@@ -218,8 +233,8 @@ void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &po
 }
 
 template <typename Real>
-void ScalarHost::run(const Shader &shader, const ShadingGroup &group, PointBatch &batch,
-                     Real *globals, const ParameterArrays<Real> *values) const {
+AnyslShadeArgs ScalarHost::run(const Shader &shader, const ShadingGroup &group, PointBatch &batch,
+                               Real *globals, const ParameterArrays<Real> *values) const {
   AnyslShadeArgs args = makeShadeArgs(shader, group, 1, &batch);
   void *const arrays[1] = {globals};
   args.globals = arrays;
@@ -232,6 +247,8 @@ void ScalarHost::run(const Shader &shader, const ShadingGroup &group, PointBatch
   batch.state->startShading();
   shader.shade(&args, 0, 1);
   batch.state->stopShading();
+  args.globals = nullptr; // gone with this call
+  return args;
 }
 
 Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {

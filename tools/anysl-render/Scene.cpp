@@ -58,6 +58,7 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
   lights.load(loader, services);
   imagerServices.struct_size = sizeof imagerServices;
   imagerServices.space_matrix = services.space_matrix;
+  imagerServices.query = services.query;
   imagerServices.texture = serveTexture;
   imagerServices.environment = serveEnvironment;
   imagerServices.shadow = serveShadow;
@@ -109,7 +110,7 @@ const Shader *Scene::specialise(int index, const std::vector<Parameter> &constan
 }
 
 void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
-  using Key = std::tuple<const Shader *, std::array<int, 5>, const LightSet *, uint32_t,
+  using Key = std::tuple<const Shader *, std::array<int, 5>, const LightSet *, uint32_t, uint32_t,
                          std::vector<uint32_t>>;
   std::map<Key, uint32_t> known;
   constexpr uint32_t anyObject = ~uint32_t(0);
@@ -125,6 +126,9 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
     bool bySpace = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
       return shaderOf(index) && (shaderOf(index)->info->services & spacesService) != 0;
     });
+    bool byAppearance = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
+      return shaderOf(index) && shaderOf(index)->asksByName();
+    });
     const Shader *surface = shaderOf(appearance.surface);
     ShapeBindings found;
     if (surface) {
@@ -134,12 +138,17 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
     std::vector<uint32_t> bound;
     for (const Binding &binding : found.varying)
       bound.push_back(binding.parameter);
-    Key key{surface, indices, &set->second, bySpace ? i : anyObject, std::move(bound)};
+    Key key{surface,
+            indices,
+            &set->second,
+            bySpace ? i : anyObject,
+            byAppearance ? shape.appearance : anyObject,
+            std::move(bound)};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
     if (isNewGroup)
       groups.push_back({surface, shaderOf(indices[1]), shaderOf(indices[2]), shaderOf(indices[3]),
-                        &set->second, Space(shape.objectToCamera), appearance.matte,
-                        found.varying});
+                        &set->second, Space(shape.objectToCamera), appearance.matte, found.varying,
+                        &appearance});
     bindings.push_back(std::move(found.varying));
     groupOfShape.push_back(entry->second);
   }

@@ -29,6 +29,7 @@ struct ShadingGroup {
   /// Parameters of the surface shader that take their values from the shapes' variables, which each
   /// shape has in its own places.
   std::vector<Binding> bound;
+  const Appearance *appearance = nullptr; ///< of all points, if a shader asks questions by name
 };
 
 /// What both hosts work on: surfaces in Embree, shaders with their values, lights, camera. It is

@@ -42,6 +42,9 @@ struct Shader {
     uint32_t channel; ///< number in the scene's list
   };
   std::vector<Output> outputs;
+
+  /// Whether it asks questions by name: service number 7 of lib/STC/Services.def.
+  bool asksByName() const { return (info->services >> 7 & 1) != 0; }
 };
 
 /// Whether a value declared in the scene may go into a shader's parameter of an AnyslType.

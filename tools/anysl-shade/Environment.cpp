@@ -6,6 +6,9 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-shade/Environment.h"
+#include "lib/Textures/Answer.h"
+
+#include <anysl/anysl.h>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -234,9 +237,46 @@ const char *shaderName(void *renderer, const AnyslShadeArgs *, const char *categ
   return nullptr;
 }
 
+int query(void *renderer, const AnyslShadeArgs *args, uint32_t, const AnyslQuery *query,
+          AnyslCell *value) {
+  std::string name = query->name;
+  if (*query->subject)
+    name = std::string(query->subject) + ":" + name;
+  const auto &answers = world(renderer).answers;
+  auto found = answers.find({query->kind, name});
+  if (found == answers.end()) {
+    if (query->kind != ANYSL_QUERY_textureinfo)
+      return 0;
+    textures::Textures *textures = world(renderer).pictures->get();
+    return textures ? textures::answer(*textures, renderer, args, *query, value) : 0;
+  }
+  const KnownValue &known = found->second;
+  size_t components = anysl_type_components(query->type);
+  size_t elements = query->array_length ? query->array_length : 1;
+  if (query->type == ANYSL_STRING) {
+    if (known.texts.size() != elements)
+      return 0;
+    value->string = known.texts[query->element].c_str();
+    return 1;
+  }
+  // A single number also does for a triple or a matrix.
+  if (known.numbers.size() == 1 && !query->array_length) {
+    AnyslCell cell = {known.numbers[0]};
+    return anysl_answer(query, ANYSL_FLOAT, 0, &cell, value);
+  }
+  if (known.numbers.size() != components * elements)
+    return 0;
+  for (size_t c = 0; c < components; ++c)
+    value[c].number = known.numbers[query->element * components + c];
+  return 1;
+}
+
 } // namespace
 
 Environment::Environment() {
+  answers[{ANYSL_QUERY_rendererinfo, "renderer"}].texts = {"anysl-shade"};
+  answers[{ANYSL_QUERY_rayinfo, "depth"}] = {{"0"}, {0}};
+  answers[{ANYSL_QUERY_rayinfo, "type"}].texts = {"camera"};
   for (const char *name : {"", "current", "camera", "world", "object", "shader"})
     toCurrent[name] = identity;
 }
@@ -258,6 +298,7 @@ AnyslServices environmentServices() {
   services.trace_hit = traceHit;
   services.call_method = callMethod;
   services.shader_name = shaderName;
+  services.query = query;
   return services;
 }
 

@@ -20,6 +20,9 @@
 //   textures      files, see Pictures.h
 //   space matrix  the identity for "current", "camera", "world", "object", "shader" and "", and
 //   what --space gives
+//   query         rendererinfo "renderer" is "anysl-shade"; rayinfo "depth" 0 and "type" "camera";
+//   else
+//                 what the command line gives; textureinfo what the file says
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -40,10 +43,18 @@ using Matrix = std::array<double, 16>; ///< row by row, for row vectors
 
 enum class Surroundings { Sky, Direction, Black };
 
+/// A value whose type is whatever a shader asks for, if the number of its components fits.
+struct KnownValue {
+  std::vector<std::string> texts;
+  std::vector<double> numbers; ///< the same, if they all are numbers
+};
+
 struct Environment {
   Surroundings surroundings = Surroundings::Sky;
   std::map<std::string, Matrix> toCurrent; ///< by name of the coordinate system
   std::FILE *printTo = stdout;             ///< what shaders print
+  /// What answers queries, by kind and name; that of a texture by "FILE:NAME".
+  std::map<std::pair<uint32_t, std::string>, KnownValue> answers;
   std::shared_ptr<Pictures> pictures = std::make_shared<Pictures>();
   std::map<std::string, const AnyslInstance *> coshaders; ///< by handle; Grid owns them
 

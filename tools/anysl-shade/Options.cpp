@@ -64,6 +64,12 @@ The world around it:
   --coshader HANDLE=FILE.so[:NAME=v[,v...]]...
       getshader(HANDLE) is this library's first shader or class, with these parameters;
       its parameter __category is what getshaders() chooses by
+  --attribute NAME=v[,v...]   what attribute("NAME", x) gives: numbers or text, for x of any
+  --option NAME=v[,v...]      type with as many components (or for a single number, of any
+                           type of numbers); option("NAME", x) likewise
+  --query KIND:NAME=v[,v...]  the same for any query: surface, displacement, atmosphere,
+                           incident, opposite, rendererinfo, rayinfo; and
+                           textureinfo:FILE:NAME. The shaders' own name is "shadername"
   --space NAME=m,...       16 numbers, the matrix (row by row, for row vectors) from a
                            named coordinate system to the current one
 )";
@@ -132,6 +138,36 @@ void parseCoshader(Options &options, const std::string &description) {
   options.coshaders.push_back(std::move(coshader));
 }
 
+/// What a query of a kind answers to a name.
+void addAnswer(Environment &environment, uint32_t kind, const std::string &text,
+               const std::string &option) {
+  auto [name, value] = parseAssignment(text, option);
+  KnownValue known;
+  for (const std::string &part : split(value, ',')) {
+    double number = 0;
+    const char *end = part.data() + part.size();
+    auto [stop, error] = std::from_chars(part.data(), end, number);
+    if (error == std::errc() && stop == end)
+      known.numbers.push_back(number);
+    known.texts.push_back(part);
+  }
+  if (known.numbers.size() != known.texts.size())
+    known.numbers.clear();
+  environment.answers[{kind, name}] = std::move(known);
+}
+
+void parseQuery(Environment &environment, const std::string &text) {
+  static constexpr std::pair<const char *, uint32_t> kinds[] = {
+#define ANYSL_QUERY(id, name, storage, doc) {#name, id},
+#include <anysl/QueryKinds.def>
+  };
+  size_t colon = text.find(':');
+  for (auto [name, kind] : kinds)
+    if (colon != std::string::npos && text.substr(0, colon) == name)
+      return addAnswer(environment, kind, text.substr(colon + 1), "--query");
+  fail("--query wants KIND:NAME=VALUE, not '" + text + "'");
+}
+
 struct Option {
   const char *name;
   std::function<void(Options &, const std::string &)> read; ///< null for a flag
@@ -164,6 +200,15 @@ const Option table[] = {
          o.environment.pictures->searchPath.push_back(folder);
      }},
     {"--coshader", parseCoshader},
+    {"--attribute",
+     [](Options &o, const std::string &v) {
+       addAnswer(o.environment, ANYSL_QUERY_attribute, v, "--attribute");
+     }},
+    {"--option",
+     [](Options &o, const std::string &v) {
+       addAnswer(o.environment, ANYSL_QUERY_option, v, "--option");
+     }},
+    {"--query", [](Options &o, const std::string &v) { parseQuery(o.environment, v); }},
     {"--space", [](Options &o, const std::string &v) { parseSpace(o.environment, v); }},
     {"--json", nullptr, &Options::json},
     {"--bench", nullptr, &Options::bench},

@@ -69,15 +69,15 @@ void printNamed(raw_ostream &out) {
 
 void printQueries(raw_ostream &out) {
   out << "\n## Queries\n\n"
-         "`float name(string, variable)` asks for a value by name, and gives 0 where nobody knows "
-         "it. "
-         "No runtime answers any of them yet, except `lightsource(\"__nondiffuse\", x)` and "
-         "`lightsource(\"__nonspecular\", x)` inside of `illuminance`; the others are answered 0, "
-         "with a "
-         "warning (`-Wno-unanswered` silences it).\n\n"
-         "| query | asks for |\n|---|---|\n";
-#define RSL_QUERY(name, meaning) out << "| `" #name "` | " << cell(meaning) << " |\n";
-#include "frontends/rsl/Builtins.def"
+         "`float name(string, variable)` asks for a value by name. Where there is one that the "
+         "variable can take, sets it and gives 1; else leaves the variable and gives 0. The "
+         "variable may be of any type, also an array. `textureinfo` has the file's name before "
+         "that. Inside of `illuminance`, `lightsource(\"__nondiffuse\", x)` and "
+         "`lightsource(\"__nonspecular\", x)` are always answered.\n\n"
+         "| query | asks for | asked |\n|---|---|---|\n";
+  for (const stc::QueryKind &kind : stc::allQueryKinds())
+    out << "| `" << kind.name << "` | " << cell(kind.doc) << " | "
+        << (kind.varying ? "at each point" : "once a batch") << " |\n";
 }
 
 void printMissing(raw_ostream &out) {

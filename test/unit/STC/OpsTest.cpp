@@ -68,6 +68,7 @@ TEST_CASE("the kinds of numbers are told apart") {
   CHECK(idKind(info(Op::store_param_string)) == IdKind::Cell);
   CHECK(idKind(info(Op::param_is_bound)) == IdKind::Param);
   CHECK(idKind(info(Op::store_varying_float)) == IdKind::Param);
+  CHECK(idKind(info(Op::query_string)) == IdKind::Query);
   CHECK_FALSE(idKind(info(Op::add_float)));
 }
 

@@ -119,7 +119,6 @@ TEST_CASE("built-ins are found by name") {
   CHECK(builtinsNamed("faceforward").size() == 2);
   CHECK(builtinsNamed("noise").size() == 12);
   CHECK(builtinsNamed("nothing").empty());
-  CHECK(missingFor("mtransform") == "named matrices");
   CHECK(missingFor("noise").empty());
   for (llvm::StringRef name : builtinNames())
     CHECK(missingFor(name).empty());

@@ -13,13 +13,9 @@ surface special(uniform float u = 1) {
   Ci = spline(s, Cs, Os, 1, 0);
   u = spline(s, 0, 1, 2, 3);                   // expected-error {{a varying value cannot be assigned to uniform 'u'}}
 
-  x = attribute("user:id", x);                 // expected-warning {{nothing answers 'attribute'}}
-  x = option("Format");                        // expected-error {{'option' takes a name and a variable}}
-  x = option("Format", 1);                     // expected-error {{output argument 2 of 'option' needs a variable}} expected-warning {{nothing answers 'option'}}
   Ci = sqrt("a");                              // expected-error {{no function 'sqrt' takes (string)}}
   x = sqrt(Cs);                                // expected-error {{a value of type 'color' is no 'float'}}
   Ci = pow(Cs, N);                             // expected-error {{no function 'pow' takes (color, normal)}}
-  Ci = mtransform("world", 1);                 // expected-error {{built-in 'mtransform' is not supported: it needs named matrices}}
 }
 
 // Names of built-ins that are the shader's own.

@@ -24,7 +24,6 @@ surface text(uniform string base = "wood"; uniform string u = "") { // expected-
   u = concat("%", 1);          // expected-error {{argument 2 of 'concat': a value of type 'float' is no 'string'}}
   u = concat();                // expected-error {{'concat' takes texts to join}}
   u = shadername();
-  u = shadername("a", 2);      // expected-error {{'shadername' takes no arguments}}
   float m = match("a*", a);
   m = match("a*");             // expected-error {{no function 'match' takes (string)}} expected-note {{candidate: float match(string, string)}}
   if (format("%f", m) == base) Ci = m;

@@ -38,7 +38,6 @@ surface calls() {
   Ci = nothing() + 1;                 // expected-error {{'+' does not take 'void' and 'float'}}
   Ci = smoothstep(0, 1);              // expected-error {{no function 'smoothstep' takes (float, float)}} expected-note@* {{candidate: float smoothstep(float, float, float)}}
   Ci = smoothstep(0, undefined, 1);   // expected-error {{unknown variable 'undefined'}}
-  Ci = mtransform("world", 1);        // expected-error {{built-in 'mtransform' is not supported}}
   break;                              // expected-error {{'break' outside of a loop}}
   while (1) { while (1) { break 2; continue 3; } } // expected-error {{'continue 3' inside of only 2 loops}}
   return 1;                           // expected-error {{a shader returns no value}}
