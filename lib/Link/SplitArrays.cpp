@@ -77,9 +77,8 @@ private:
         if (!add(*step, further) || !collect(*step, further))
           return false;
         dead.push_back(step);
-      } else if ((isNumberAccess(*instruction, address) &&
-                  place.fixed % int64_t(number.realSize) == 0) ||
-                 isWholeClear(*instruction, place)) {
+      } else if (place.fixed % int64_t(number.realSize) == 0 &&
+                 (isNumberAccess(*instruction, address) || clearedReals(*instruction))) {
         accesses.push_back({instruction, place});
       } else if (instruction->isLifetimeStartOrEnd()) {
         dead.push_back(instruction);
@@ -106,21 +105,30 @@ private:
     return true;
   }
 
+  /// A load or store of one real, or of its bits.
   bool isNumberAccess(const Instruction &instruction, const Value &address) const {
     if (auto *load = dyn_cast<LoadInst>(&instruction))
-      return load->isSimple() && load->getType() == number.real;
+      return load->isSimple() && layout.getTypeStoreSize(load->getType()) == number.realSize;
     auto *store = dyn_cast<StoreInst>(&instruction);
     return store && store->isSimple() && store->getValueOperand() != &address &&
-           store->getValueOperand()->getType() == number.real;
+           layout.getTypeStoreSize(store->getValueOperand()->getType()) == number.realSize;
   }
 
-  /// Storing zeros into some whole numbers.
-  bool isWholeClear(const Instruction &instruction, const Place &place) const {
-    auto *clear = dyn_cast<MemSetInst>(&instruction);
-    auto *length = clear ? dyn_cast<ConstantInt>(clear->getLength()) : nullptr;
-    auto *value = clear ? dyn_cast<ConstantInt>(clear->getValue()) : nullptr;
-    return length && value && value->isZero() && !clear->isVolatile() &&
-           length->getZExtValue() % number.size == 0 && place.fixed % int64_t(number.size) == 0;
+  /// How many reals an instruction sets to zero, or 0 if that is not what it does. What clears an
+  /// array first loses the elements that are stored later, and may shrink to an integer's store.
+  uint64_t clearedReals(const Instruction &instruction) const {
+    uint64_t length = 0;
+    if (auto *clear = dyn_cast<MemSetInst>(&instruction)) {
+      auto *bytes = dyn_cast<ConstantInt>(clear->getLength());
+      auto *value = dyn_cast<ConstantInt>(clear->getValue());
+      length =
+          bytes && value && value->isZero() && !clear->isVolatile() ? bytes->getZExtValue() : 0;
+    } else if (auto *store = dyn_cast<StoreInst>(&instruction)) {
+      auto *value = dyn_cast<Constant>(store->getValueOperand());
+      if (store->isSimple() && value && value->isNullValue())
+        length = layout.getTypeStoreSize(value->getType());
+    }
+    return length % number.realSize ? 0 : length / number.realSize;
   }
 
   /// The address of the same element in one of the new arrays.
@@ -137,23 +145,41 @@ private:
 
   void replace(Instruction &access, const Place &place) {
     IRBuilder<> builder(&access);
+    Align align(number.realSize);
+    if (auto *load = dyn_cast<LoadInst>(&access))
+      load->replaceAllUsesWith(
+          builder.CreateAlignedLoad(load->getType(), realAt(builder, place), align));
+    else if (uint64_t reals = clearedReals(access))
+      clear(builder, place, reals, align);
+    else
+      builder.CreateAlignedStore(cast<StoreInst>(access).getValueOperand(), realAt(builder, place),
+                                 align);
+    access.eraseFromParent();
+  }
+
+  /// The address of one real, in the array that has its kind.
+  Value *realAt(IRBuilder<> &builder, const Place &place) const {
     auto size = int64_t(number.size);
     auto which = uint64_t((place.fixed % size + size) % size) / number.realSize;
-    Align align(number.realSize);
-    if (auto *load = dyn_cast<LoadInst>(&access)) {
-      Value *from = elementOf(builder, place, *parts[which]);
-      Value *value = builder.CreateAlignedLoad(number.real, from, align);
-      load->replaceAllUsesWith(value);
-    } else if (auto *store = dyn_cast<StoreInst>(&access)) {
-      Value *to = elementOf(builder, place, *parts[which]);
-      builder.CreateAlignedStore(store->getValueOperand(), to, align);
-    } else {
-      uint64_t length = cast<ConstantInt>(cast<MemSetInst>(access).getLength())->getZExtValue();
-      for (AllocaInst *part : parts)
-        builder.CreateMemSet(elementOf(builder, place, *part), builder.getInt8(0),
-                             length / number.count, align);
+    return elementOf(builder, place, *parts[which]);
+  }
+
+  void clear(IRBuilder<> &builder, Place place, uint64_t reals, Align align) {
+    // The reals before and behind whole numbers one by one.
+    auto real = int64_t(number.realSize);
+    for (; reals && (place.fixed % int64_t(number.size) || reals < number.count); --reals) {
+      builder.CreateAlignedStore(Constant::getNullValue(number.real), realAt(builder, place),
+                                 align);
+      place.fixed += real;
     }
-    access.eraseFromParent();
+    uint64_t whole = reals / number.count;
+    if (whole == 0)
+      return;
+    for (AllocaInst *part : parts)
+      builder.CreateMemSet(elementOf(builder, place, *part), builder.getInt8(0),
+                           whole * number.realSize, align);
+    place.fixed += int64_t(whole * number.size);
+    clear(builder, place, reals - whole * number.count, align);
   }
 
   AllocaInst &array;

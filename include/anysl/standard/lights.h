@@ -50,16 +50,21 @@ inline bool lightValue(anysl_context *context, int32_t index, const anysl_point 
   return true;
 }
 
+/// Whether a light shader's parameter is there and not 0. The cell is a slot of this function's
+/// own, so that shaders, which all ask for flags in diffuse() and specular(), need none.
+[[gnu::noinline]] bool askLightFlag(const AnyslShadeArgs *args, uint32_t point, uint32_t light,
+                                    double px, double py, double pz, double nx, double ny,
+                                    double nz, const char *name);
+
 /// A flag of a light: fixed, or what its shader computes.
 inline bool lightFlag(anysl_context *context, int32_t index, const anysl_point *P,
                       const anysl_normal *N, uint32_t flag, const char *name) {
   uint32_t flags = context->args->lights[index].flags;
   if (!(flags & ANYSL_LIGHT_COMPUTES_FLAGS))
     return flags & flag;
-  AnyslCell value;
-  bool isSet = false;
-  lightValue(context, index, P, N, name, ANYSL_FLOAT, &value, [&] { isSet = value.number != 0; });
-  return isSet;
+  return askLightFlag(context->args, context->point, uint32_t(index), double(valueOf(P->x)),
+                      double(valueOf(P->y)), double(valueOf(P->z)), double(valueOf(N->x)),
+                      double(valueOf(N->y)), double(valueOf(N->z)), name);
 }
 
 //===-- Categories ----------------------------------------------------------------------------===//
@@ -245,6 +250,13 @@ bool anysl::askLightValue(const AnyslShadeArgs *args, uint32_t point, uint32_t l
   const AnyslServices *services = args->services;
   return services->light_value && name &&
          services->light_value(args->renderer, args, point, light, P, N, name, type, value);
+}
+
+bool anysl::askLightFlag(const AnyslShadeArgs *args, uint32_t point, uint32_t light, double px,
+                         double py, double pz, double nx, double ny, double nz, const char *name) {
+  AnyslCell value;
+  return askLightValue(args, point, light, px, py, pz, nx, ny, nz, name, ANYSL_FLOAT, &value) &&
+         value.number != 0;
 }
 
 bool anysl::haveCommonName(const char *a, const char *b) {

@@ -223,6 +223,21 @@ TEST_CASE("parameters given point by point are read, and written where they are 
   CHECK(batch.varying(matrices, 16, 0, 15, p) == 99);
 }
 
+TEST_CASE("texts are written point by point, element by element, where they are wanted") {
+  Batch batch;
+  const uint32_t p = 5;
+  std::vector<anysl_string> texts(2 * Batch::count);
+  batch.data[1] = texts.data();
+  batch.shade(p, [&](anysl_context *context) {
+    anysl_string text = "chrome";
+    for (uint32_t id : {0u, 1u})
+      use<anysl_store_varying_string>()(context, id, 1, &text);
+  });
+  CHECK(std::strcmp(texts[Batch::count + p], "chrome") == 0);
+  CHECK(texts[p] == nullptr);
+  CHECK(texts[Batch::count + p + 1] == nullptr);
+}
+
 TEST_CASE("a batch without any per-point parameters binds none") {
   Batch batch;
   batch.args.param_data = nullptr;
