@@ -451,7 +451,9 @@ struct VarDecl {
   FunctionDecl *owner = nullptr; ///< the function whose parameter or local it is
   unsigned id = 0;               ///< Global: as in Globals.def; ShaderParam: number from 0
   bool isOutput = false;
+  bool isReadOnly = false; ///< Global: an assignment changes the shader's own copy
   bool hasStorage = false; ///< `uniform` or `varying` was written
+  size_t branches = 0;     ///< varying conditions around its declaration
   bool isRead = false;
   bool isAssigned = false;
   bool isCopied = false;      ///< a function's parameter that its body assigns without `output`

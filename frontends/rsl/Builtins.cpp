@@ -39,6 +39,8 @@ BuiltinOperand parseOperand(StringRef text) {
     operand.source = BuiltinOperand::SpaceTo;
   } else if (text == "space space") {
     operand.source = BuiltinOperand::SpaceFromTo;
+  } else if (text == "space matrix") {
+    operand.source = BuiltinOperand::SpaceThenMatrix;
   } else if (text.consume_front("=")) {
     text = text.trim();
     if (text == "_") {
@@ -147,7 +149,10 @@ struct Table {
                                        operand.source != BuiltinOperand::In});
         else
           for (unsigned i = 0; i < operand.argumentCount(); ++i)
-            builtin.arguments.push_back({TypeKind::String, true, false});
+            builtin.arguments.push_back({i == 1 && operand.source == BuiltinOperand::SpaceThenMatrix
+                                             ? TypeKind::Matrix
+                                             : TypeKind::String,
+                                         true, false});
         builtin.operands.push_back(operand);
       }
       builtins.push_back(std::move(builtin));

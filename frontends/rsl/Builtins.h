@@ -29,6 +29,7 @@ struct BuiltinOperand {
     Light,
     SpaceTo,
     SpaceFromTo,
+    SpaceThenMatrix,
     Named
   };
   Source source = In;
@@ -40,7 +41,9 @@ struct BuiltinOperand {
 
   /// How many arguments of the call it takes.
   unsigned argumentCount() const {
-    return source <= InOut || source == SpaceTo ? 1 : source == SpaceFromTo ? 2 : 0;
+    return source <= InOut || source == SpaceTo                 ? 1
+           : source == SpaceFromTo || source == SpaceThenMatrix ? 2
+                                                                : 0;
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include "frontends/rsl/Condition.h"
 #include "frontends/rsl/Literals.h"
+#include "frontends/rsl/Warnings.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -17,9 +18,6 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-static constexpr WarningGroup UserWarning{"user-warning", true};
-static constexpr WarningGroup MacroRedefined{"macro-redefined", true};
-static constexpr WarningGroup ExtraTokens{"extra-tokens", false};
 static constexpr unsigned MaxIncludeDepth = 100;
 
 bool Preprocessor::enterFile(StringRef path, SMLoc from) {
@@ -39,7 +37,7 @@ bool Preprocessor::enterFile(StringRef path, SMLoc from) {
 void Preprocessor::endDirective() {
   Token token = lexer().next();
   if (!token.is(TokenKind::EndOfDirective))
-    diags.warning(token.loc, ExtraTokens, "extra words at the end of a directive");
+    diags.warning(token.loc, warn::ExtraTokens, "extra words at the end of a directive");
   while (!token.is(TokenKind::EndOfDirective))
     token = lexer().next();
   lexer().inDirective = false;
@@ -75,7 +73,7 @@ void Preprocessor::directive() {
     if (name.text == "error")
       diags.error(name.loc, "#error " + message).range(name.range());
     else
-      diags.warning(name.loc, UserWarning, "#warning " + message).range(name.range());
+      diags.warning(name.loc, warn::UserWarning, "#warning " + message).range(name.range());
   } else if (name.text != "pragma" && name.text != "ident") {
     diags
         .error(name.loc, "unknown directive '#" + name.text + "'" +
@@ -142,7 +140,7 @@ void Preprocessor::defineDirective() {
     for (size_t i = 0; same && i < macro->body.size(); ++i)
       same = entry->body[i].text == macro->body[i].text;
     if (!same)
-      diags.warning(name.loc, MacroRedefined, "macro '" + name.text + "' redefined")
+      diags.warning(name.loc, warn::MacroRedefined, "macro '" + name.text + "' redefined")
           .range(name.range())
           .note(entry->name.loc, "previously defined here");
     retired.push_back(std::move(entry));

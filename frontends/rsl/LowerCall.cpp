@@ -145,6 +145,15 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
       values.push_back(spaceMatrix(from, to, call.loc));
       break;
     }
+    case BuiltinOperand::SpaceThenMatrix: {
+      Value *from = lower(call.args[nextArg++]);
+      Value *last = lower(call.args[nextArg++]);
+      Value *first = spaceMatrix(from, text("current"), call.loc);
+      Value *both = temporary({TypeKind::Matrix, true});
+      b.call(Op::mul_matrix, {both, first, last});
+      values.push_back(both);
+      break;
+    }
     }
   }
   for (const Expr *named : call.named)

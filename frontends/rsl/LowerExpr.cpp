@@ -121,7 +121,8 @@ Value *Lowering::convert(Value *value, Type from, Type to) {
 
 Lowering::Place Lowering::place(const Expr *target) {
   if (auto *name = dyn_cast<NameExpr>(target)) {
-    if (name->decl->kind == VarKind::Global && !lightGlobals.count(name->decl->id))
+    if (name->decl->kind == VarKind::Global && !name->decl->isReadOnly &&
+        !lightGlobals.count(name->decl->id))
       writtenGlobals.insert(name->decl->id);
     return {slotOf(*name->decl), name->type, nullptr};
   }

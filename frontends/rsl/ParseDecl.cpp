@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Parser.h"
+#include "frontends/rsl/Warnings.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringSwitch.h"
@@ -200,10 +201,11 @@ void Parser::parseTopLevel() {
 
 /// `plugin "name";` names compiled code of another renderer. The shader may still do without it.
 void Parser::parsePlugin() {
-  static constexpr WarningGroup Plugin{"plugin", true};
   SMLoc begin = take().loc;
   Token name = take();
-  diags.warning(begin, Plugin, "plugin " + name.text + " is ignored: its functions are unknown")
+  diags
+      .warning(begin, warn::Plugin,
+               "plugin " + name.text + " is ignored: its functions are unknown")
       .range(rangeFrom(begin));
   accept(TokenKind::Semicolon);
 }

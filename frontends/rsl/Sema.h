@@ -139,6 +139,8 @@ private:
   void checkStmt(Stmt *stmt);
   void checkBlock(BlockStmt &block);
   void checkLoop(LoopStmt &loop);
+  void enterBranch(const Expr *condition);
+  void leaveBranch(const Expr *condition);
   void checkJump(JumpStmt &jump);
   void checkReturn(ReturnStmt &stmt);
   void checkGather(GatherStmt &stmt); // SemaGather.cpp
@@ -217,6 +219,8 @@ private:
   size_t structureScope = 0;       ///< how many scopes those see
   unsigned loops = 0;
   unsigned illuminances = 0;
+  /// Those that decide whether what is being checked runs at all.
+  llvm::SmallVector<const Expr *> varyingConditions;
 };
 
 /// How many numbers a value is; 0 for one that is no number.

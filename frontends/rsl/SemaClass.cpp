@@ -13,14 +13,13 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 #include "lib/STC/Shader.h"
 
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup Uncallable{"uncallable-class", true};
 
 namespace {
 /// A method that the renderer calls, and the globals that are its arguments.
@@ -132,7 +131,7 @@ void Sema::makeEntries(StructDecl &decl) {
   makeMethods(decl, begin);
   if (!any && ast.shaders.size() == before)
     diags
-        .warning(decl.range.Start, Uncallable,
+        .warning(decl.range.Start, warn::Uncallable,
                  "class '" + decl.name +
                      "' has no method that a renderer or another shader can call")
         .range(decl.range);

@@ -18,6 +18,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringSwitch.h"
@@ -26,7 +27,6 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-static constexpr WarningGroup Unanswered{"unanswered", true};
 static constexpr unsigned MatrixSize = 16;
 
 static std::optional<CoshaderOp> coshaderOp(StringRef name) {
@@ -90,7 +90,7 @@ Expr *Sema::checkCoshaderCall(CallExpr &call) {
     call.type = {TypeKind::Shader, call.args[0]->type.varying};
     return &call;
   case CoshaderOp::GetLights:
-    diags.warning(call.loc, Unanswered, "lights have no handles here: 'getlights' gives none")
+    diags.warning(call.loc, warn::Unanswered, "lights have no handles here: 'getlights' gives none")
         .range(call.nameRange);
     [[fallthrough]];
   case CoshaderOp::GetAll:
@@ -146,7 +146,8 @@ Expr *Sema::checkRemoteMember(MemberExpr &member, TypeKind hint) {
 
 /// The renderer is not asked, and the result is 0 or "".
 void Sema::refuseRemote(CallExpr &call, SMLoc loc, const Twine &why) {
-  diags.warning(loc, Unanswered, why + "; '" + call.name + "' is not called").range(call.nameRange);
+  diags.warning(loc, warn::Unanswered, why + "; '" + call.name + "' is not called")
+      .range(call.nameRange);
   call.remoteName = "";
 }
 

@@ -6,19 +6,13 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 #include "lib/STC/Shader.h"
 
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup UnusedVariable{"unused-variable", false};
-static constexpr WarningGroup UnusedButSet{"unused-but-set-variable", false};
-static constexpr WarningGroup UnusedFunction{"unused-function", false};
-static constexpr WarningGroup MissingDefault{"missing-default", true};
-static constexpr WarningGroup ReturnType{"return-type", true};
-static constexpr WarningGroup Shadow{"shadow", false};
 
 Sema::Sema(Ast &ast, DiagnosticEngine &diags, Options options)
     : ast(ast), diags(diags), options(options) {}
@@ -50,13 +44,15 @@ void Sema::check() {
     if (!decl->isUsed && !ast.shaders.empty() &&
         diags.sources().FindBufferContainingLoc(decl->range.Start) ==
             diags.sources().getMainFileID())
-      diags.warning(decl->range.Start, UnusedFunction, "unused function '" + decl->name + "'")
+      diags.warning(decl->range.Start, warn::UnusedFunction, "unused function '" + decl->name + "'")
           .range(decl->range);
 }
 
 //===-- Scopes ----------------------------------------------------------------------------------//
 
 void Sema::declareGlobals() {
+  static constexpr StringLiteral readOnly[] = {"Ng", "I",    "E",    "u",  "v",      "du",
+                                               "dv", "dPdu", "dPdv", "Ps", "ncomps", "time"};
   for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
     if (global.isHidden)
       continue;
@@ -65,6 +61,7 @@ void Sema::declareGlobals() {
     decl->name = global.name;
     decl->type = {typeKindOf(global.type), global.storage == stc::Storage::Varying, Type::NoArray};
     decl->id = global.id;
+    decl->isReadOnly = llvm::is_contained(readOnly, decl->name);
     scopes.back().variables[global.name] = decl;
   }
 }
@@ -92,15 +89,16 @@ void Sema::warnUnused(const VarDecl &decl) {
     return;
   if (decl.isAssigned)
     diags
-        .warning(decl.range.Start, UnusedButSet,
+        .warning(decl.range.Start, warn::UnusedButSet,
                  "variable '" + decl.name + "' is set but never read")
         .range(decl.range);
   else
-    diags.warning(decl.range.Start, UnusedVariable, "unused variable '" + decl.name + "'")
+    diags.warning(decl.range.Start, warn::UnusedVariable, "unused variable '" + decl.name + "'")
         .range(decl.range);
 }
 
 void Sema::declare(VarDecl *decl) {
+  decl->branches = varyingConditions.size();
   auto [entry, isNew] = scopes.back().variables.try_emplace(decl->name, decl);
   if (!isNew && entry->second->kind != VarKind::Global) {
     diags.error(decl->range.Start, "redefinition of '" + decl->name + "'")
@@ -114,7 +112,7 @@ void Sema::declare(VarDecl *decl) {
         outer != scope.variables.end() && outer->second->kind != VarKind::Global &&
         decl->kind == VarKind::Local && scope.function == function)
       diags
-          .warning(decl->range.Start, Shadow,
+          .warning(decl->range.Start, warn::Shadow,
                    "'" + decl->name + "' hides another variable of this name")
           .range(decl->range)
           .note(outer->second->range.Start, "the hidden variable", outer->second->range);
@@ -188,7 +186,7 @@ void Sema::checkParam(VarDecl &param) {
   }
   if (!param.init) {
     diags
-        .warning(param.range.Start, MissingDefault,
+        .warning(param.range.Start, warn::MissingDefault,
                  "parameter '" + param.name + "' has no default; it is taken to be " +
                      (param.type.isResizable                ? "empty"
                       : param.type.kind == TypeKind::String ? "\"\""
@@ -264,7 +262,7 @@ void Sema::checkBody(FunctionDecl &decl) {
   popScope();
   if (decl.result.kind != TypeKind::Void && !alwaysReturns(decl.body))
     diags
-        .warning(decl.body->end, ReturnType,
+        .warning(decl.body->end, warn::ReturnType,
                  "function '" + decl.name + "' may end without returning a value; it is then 0")
         .note(decl.range.Start, "declared here", decl.range);
   decl.isBeingChecked = false;

@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include <cmath>
@@ -13,10 +14,6 @@
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup ParamAssigned{"parameter-assignment", true};
-
-static constexpr WarningGroup Parentheses{"parentheses", true};
 
 static Expr *failed(Expr *expr) {
   expr->type = {TypeKind::Error};
@@ -315,7 +312,8 @@ Expr *Sema::checkCondition(Expr *expr) {
   auto *assign = dyn_cast<AssignExpr>(expr);
   expr = check(expr, TypeKind::Float);
   if (assign && !assign->isCompound)
-    diags.warning(assign->loc, Parentheses, "an assignment as a condition; did you mean '=='?")
+    diags
+        .warning(assign->loc, warn::Parentheses, "an assignment as a condition; did you mean '=='?")
         .range(assign->range)
         .fixit({assign->loc, SMLoc::getFromPointer(assign->loc.getPointer() + 1)}, "==");
   if (expr->type.isError() || expr->type.is(TypeKind::Bool))
@@ -452,28 +450,35 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
   if (decl.kind == VarKind::FunctionParam && !decl.isOutput && decl.owner == function) {
     decl.isCopied = true;
     diags
-        .warning(loc, ParamAssigned,
+        .warning(loc, warn::ParamAssigned,
                  "parameter '" + decl.name +
                      "' is not 'output'; the assignment changes the function's own copy")
         .range(target->range)
         .note(decl.range.Start, "declared here", decl.range);
   }
   if (decl.kind == VarKind::Global && (shader || structure) && !illuminances) {
-    static constexpr StringLiteral readOnly[] = {"Ng", "I",    "E",    "u",  "v",      "du",
-                                                 "dv", "dPdu", "dPdv", "Ps", "ncomps", "time"};
     static constexpr StringLiteral results[] = {"Ci", "Oi"};
     bool writesLight =
         shader && (shader->type == ShaderType::Displacement || shader->type == ShaderType::Light);
-    bool bad = llvm::is_contained(readOnly, decl.name);
-    if (!bad && llvm::is_contained(results, decl.name) && writesLight) {
+    if (llvm::is_contained(results, decl.name) && writesLight) {
       diags.error(loc, "a " + nameOf(shader->type) + " shader has no '" + decl.name + "'")
           .range(target->range);
       return;
     }
-    if (bad) {
-      diags.error(loc, "'" + decl.name + "' cannot be assigned").range(target->range);
-      return;
-    }
+    if (decl.isReadOnly)
+      diags
+          .warning(loc, warn::ReadOnlyGlobal,
+                   "'" + decl.name + "' is read-only; the assignment changes the shader's own copy")
+          .range(target->range);
+  }
+  if (!decl.type.varying && decl.kind == VarKind::Local &&
+      varyingConditions.size() > decl.branches) {
+    const Expr *condition = varyingConditions.back();
+    diags
+        .warning(loc, warn::VaryingBranch,
+                 "uniform '" + decl.name + "' is assigned where a varying condition decides")
+        .range(target->range)
+        .note(condition->loc, "the condition", condition->range);
   }
   if (!decl.type.varying && (valueVaries || indexVaries)) {
     auto error =

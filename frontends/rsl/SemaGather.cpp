@@ -6,14 +6,13 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 #include "llvm/ADT/StringSwitch.h"
 
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup UnknownArgument{"unknown-argument", true};
 
 namespace {
 struct KnownOutput {
@@ -100,7 +99,7 @@ void Sema::checkGatherPairs(GatherStmt &stmt, MutableArrayRef<Expr *> pairs) {
       names.push_back(argument.name);
     bool isOutput = word.contains(':');
     diags
-        .warning(name->loc, UnknownArgument,
+        .warning(name->loc, warn::UnknownArgument,
                  isOutput ? "'gather' does not give \"" + word + "\"; the variable stays as it is" +
                                 didYouMean(word, names)
                           : "'gather' has no argument \"" + word + "\"; it is ignored" +

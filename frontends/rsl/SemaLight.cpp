@@ -6,12 +6,11 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup Unsent{"unsent", true};
 
 /// Sorts the arguments of illuminance([category,] P [, axis, angle] [, name, value ...]),
 /// illuminate(P [, axis, angle]) and solar([axis, angle]).
@@ -82,7 +81,9 @@ void Sema::checkLightMessages(LightStmt &stmt, ArrayRef<Expr *> args) {
     StringRef key = name->value;
     Expr *value = check(args[1]);
     if (key.consume_front("send:light:")) {
-      diags.warning(name->loc, Unsent, "nothing is sent to lights; '" + key + "' keeps its value")
+      diags
+          .warning(name->loc, warn::Unsent,
+                   "nothing is sent to lights; '" + key + "' keeps its value")
           .range(name->range);
     } else if (key.consume_front("light:")) {
       if (checkAskedLight(value, "'" + name->value + "'"))
@@ -112,11 +113,10 @@ bool Sema::checkAskedLight(Expr *variable, const Twine &what) {
 
 /// lightsource(name, variable)
 Expr *Sema::checkLightSource(CallExpr &call) {
-  static constexpr WarningGroup Unanswered{"unanswered", true};
   bool good = checkAskedLight(call.args[1], "output argument 2 of 'lightsource'");
   if (!illuminances && !function)
     diags
-        .warning(call.loc, Unanswered,
+        .warning(call.loc, warn::Unanswered,
                  "outside of 'illuminance' there is no light to ask; it gives 0")
         .range(call.range);
   call.type = {good && !call.args[0]->type.isError() ? TypeKind::Float : TypeKind::Error};

@@ -10,12 +10,11 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup UnknownArgument{"unknown-argument", true};
 
 /// Moves what stands behind a built-in's own arguments from `args` to `rest`: pairs of names and
 /// values, which begin at the first text that no overload has a place for, and whatever a built-in
@@ -30,7 +29,14 @@ void Sema::splitNamed(CallExpr &call) {
   const NamedGroup *group = nullptr;
   bool takesRest = false;
   size_t least = SIZE_MAX, most = 0;
-  for (const Builtin *builtin : builtinsNamed(call.name)) {
+  // occlusion(file, …) takes what follows without looking at it, occlusion(P, N, …) names it.
+  bool isFile = !call.args.empty() && probe(call.args[0]).is(TypeKind::String);
+  auto overloads = builtinsNamed(call.name);
+  bool isEither = any_of(overloads, [](const Builtin *b) { return b->takesRest; }) &&
+                  any_of(overloads, [](const Builtin *b) { return b->named; });
+  for (const Builtin *builtin : overloads) {
+    if (isEither && builtin->takesRest != isFile)
+      continue;
     group = builtin->named ? builtin->named : group;
     takesRest |= builtin->takesRest;
     least = std::min(least, builtin->arguments.size());
@@ -93,12 +99,18 @@ void Sema::checkNamed(CallExpr &call, const NamedGroup &group, bool &varying, bo
       for (const NamedGroup::Argument &known : group.arguments)
         names.push_back(known.name);
       diags
-          .warning(name->loc, UnknownArgument,
+          .warning(name->loc, warn::UnknownArgument,
                    "'" + call.name + "' has no argument \"" + word + "\"; it is ignored" +
                        didYouMean(word, names))
           .range(name->range);
     }
     if (argument && !argument->fields.empty()) {
+      // Renderers differ in whether a mode is a word or a number, which becomes its digits.
+      if (argument->type == TypeKind::String && probe(value).is(TypeKind::Float)) {
+        Expr *format = ast.make<StringExpr>(value->range, "%g");
+        value = ast.make<CallExpr>(value->range, value->range, "format",
+                                   ast.copy<Expr *>({format, value}));
+      }
       value = checkAs(value, {argument->type, true},
                       ("argument \"" + word + "\" of '" + call.name + "'").str());
       for (unsigned field : argument->fields)

@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 #include <anysl/abi.h>
 
@@ -13,13 +14,11 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-static constexpr WarningGroup Unanswered{"unanswered", true};
-
 /// Outside of illuminance there is no light to ask.
 void Sema::checkIsInLight(const CallExpr &call) {
   if (!illuminances && !function)
     diags
-        .warning(call.loc, Unanswered,
+        .warning(call.loc, warn::Unanswered,
                  "outside of 'illuminance' no light answers '" + call.name + "'")
         .range(call.nameRange);
 }

@@ -6,12 +6,11 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup UnusedValue{"unused-value", false};
 
 bool alwaysReturns(const Stmt *stmt) {
   if (!stmt)
@@ -53,15 +52,19 @@ void Sema::checkStmt(Stmt *stmt) {
     statement->expr = check(statement->expr);
     if (!statement->expr->hasEffects && !isa<CallExpr>(statement->expr) &&
         !statement->expr->type.isError())
-      diags.warning(statement->expr->loc, UnusedValue, "the value of this expression is not used")
+      diags
+          .warning(statement->expr->loc, warn::UnusedValue,
+                   "the value of this expression is not used")
           .range(statement->expr->range);
     break;
   }
   case StmtKind::If: {
     auto *branch = cast<IfStmt>(stmt);
     branch->condition = checkCondition(branch->condition);
+    enterBranch(branch->condition);
     checkStmt(branch->thenBody);
     checkStmt(branch->elseBody);
+    leaveBranch(branch->condition);
     break;
   }
   case StmtKind::While:
@@ -97,12 +100,25 @@ void Sema::checkLoop(LoopStmt &loop) {
   checkStmt(loop.init);
   if (loop.condition)
     loop.condition = checkCondition(loop.condition);
+  enterBranch(loop.condition);
   if (loop.step)
     loop.step = check(loop.step);
   ++loops;
   checkStmt(loop.body);
   --loops;
+  leaveBranch(loop.condition);
   popScope();
+}
+
+/// What follows runs where the condition, which may be null, holds.
+void Sema::enterBranch(const Expr *condition) {
+  if (condition && condition->type.varying)
+    varyingConditions.push_back(condition);
+}
+
+void Sema::leaveBranch(const Expr *condition) {
+  if (condition && condition->type.varying)
+    varyingConditions.pop_back();
 }
 
 void Sema::checkJump(JumpStmt &jump) {

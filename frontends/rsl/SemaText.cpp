@@ -6,14 +6,13 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Sema.h"
+#include "frontends/rsl/Warnings.h"
 
 #include <anysl/format.h>
 
 using namespace llvm;
 
 namespace anysl::rsl {
-
-static constexpr WarningGroup Format{"format", true};
 
 /// What a directive's letter asks for; Error for %s, which takes no conversion.
 static TypeKind wantedBy(char letter) {
@@ -47,7 +46,7 @@ std::vector<FormatDirective> Sema::directivesOf(const StringExpr &format) {
       return directives;
     if (!next.letter)
       diags
-          .warning(format.loc, Format,
+          .warning(format.loc, warn::Format,
                    "'" + format.value.slice(next.begin, next.end) +
                        "' is no directive and stays as it is; '%%' is a percent sign")
           .range(format.range);
@@ -84,7 +83,7 @@ Expr *Sema::checkFormat(CallExpr &call) {
       bad = true;
     } else if (isNamed && !suits(arg->type, wanted)) {
       diags
-          .warning(arg->loc, Format,
+          .warning(arg->loc, warn::Format,
                    "'" + constant->value.slice(directives[i - 1].begin, directives[i - 1].end) +
                        "' is for a " + nameOf(wanted) + ", not for a " + toString(arg->type))
           .range(arg->range);
@@ -99,7 +98,7 @@ Expr *Sema::checkFormat(CallExpr &call) {
   }
   size_t values = call.args.size() - 1;
   if (constant && values != directives.size()) {
-    auto warning = diags.warning(call.loc, Format,
+    auto warning = diags.warning(call.loc, warn::Format,
                                  "the format has " + Twine(directives.size()) +
                                      " directives, but there are " + Twine(values) + " values");
     warning.range(constant->range);

@@ -241,8 +241,10 @@ AnyslStatus anysl_instance_get_strings(const AnyslInstance *instance, const char
       return status;
     if (count != cellsOf(*found))
       return wrongCount(*instance, *found, count);
-    for (size_t i = 0; i < count; ++i)
-      values[i] = instance->cells[found->first_cell + i].string;
+    for (size_t i = 0; i < count; ++i) {
+      const char *text = instance->cells[found->first_cell + i].string;
+      values[i] = text ? text : "";
+    }
     return ANYSL_OK;
   });
 }

@@ -26,7 +26,7 @@ float sampleCount(float samples) { return max(1, floor(samples + 0.5)); }
 // How much a surface at a distance counts: it fades with the distance, by default exponentially.
 float weightOf(float distance, maxdist, falloff; string mode) {
   float near = maxdist < 1e30 ? 1 - distance / maxdist : 1;
-  return falloff == 0 ? 1 : (mode == "linear" ? pow(near, falloff) : exp(-falloff * distance));
+  return falloff == 0 ? 1 : (mode == "linear" || mode == "1" ? pow(near, falloff) : exp(-falloff * distance));
 }
 
 float occlusion(point P; normal N; float samples, maxdist, coneangle, falloff; string falloffmode, distribution) {

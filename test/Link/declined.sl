@@ -27,5 +27,8 @@ surface declined(string file = "a.pm"; output varying float ok = 0) {
   // WARNING: declined.sl:[[#@LINE+1]]:{{.*}} 'photonmap'
   Ci += photonmap("b.pm", P, N, "estimator", ok = 7) + found + visibility(P, P) + color changed;
   Ci += areashadow("map", P, "blur", 0.1);
+  // Files of light and occlusion are told from rays by the first argument.
+  // WARNING: declined.sl:[[#@LINE+1]]:{{.*}} 'occlusion_file' {{.*}}: nothing is hidden
+  Ci += occlusion("a.tex", P, N, 16) + indirectdiffuse("b.env", N) + color indirect("c.ptc", "_radiosity", P, N, I);
   Oi = hair() + directlighting() + bake("c", s, t, Cs);
 }

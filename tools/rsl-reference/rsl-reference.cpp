@@ -94,6 +94,15 @@ void printMissing(raw_ostream &out) {
   }
 }
 
+void printWarnings(raw_ostream &out) {
+  out << "\n## Warnings\n\n`-Wno-NAME` switches one off, `-WNAME` on, `-Wall` all on, `-w` all "
+         "off; "
+         "`-Werror` makes errors of them.\n\n| option | default | about |\n|---|---|---|\n";
+#define RSL_WARNING(name, option, onByDefault, about)                                              \
+  out << "| `-W" option "` | " << (onByDefault ? "on" : "`-Wall`") << " | " about " |\n";
+#include "frontends/rsl/Warnings.def"
+}
+
 } // namespace
 
 int main() {
@@ -118,4 +127,5 @@ int main() {
   printNamed(out);
   printQueries(out);
   printMissing(out);
+  printWarnings(out);
 }

@@ -53,16 +53,27 @@ cl::opt<bool> verifyMode("verify",
                                   "expected-warning comments"),
                          cl::cat(category));
 
+/// A misspelt option would otherwise be a warning that never comes.
+void checkWarningName(DiagnosticEngine &diags, StringRef name) {
+  static const StringRef known[] = {
+#define RSL_WARNING(id, option, onByDefault, about) option,
+#include "frontends/rsl/Warnings.def"
+  };
+  if (!is_contained(known, name))
+    diags.error("unknown warning option '-W" + name + "'" + didYouMean(name, known));
+}
+
 void applyWarnings(DiagnosticEngine &diags) {
   for (StringRef name : warnings) {
     if (name == "all" || name == "extra")
       diags.setAllWarnings(true);
     else if (name == "error")
       diags.setWarningsAsErrors(true);
-    else if (name.consume_front("no-"))
-      diags.setWarning(name, false);
-    else
-      diags.setWarning(name, true);
+    else {
+      bool isOn = !name.consume_front("no-");
+      checkWarningName(diags, name);
+      diags.setWarning(name, isOn);
+    }
   }
   diags.setNoWarnings(noWarnings);
   diags.setErrorLimit(errorLimit);
@@ -131,10 +142,10 @@ int main(int argc, char **argv) {
   if (verifyMode)
     diags.setConsumer([&](const Diagnostic &diagnostic) { collected.push_back(diagnostic); });
 
-  if (input.empty()) {
+  if (input.empty())
     diags.error("no input file; see rslc --help");
+  if (diags.hasErrors())
     return userError;
-  }
 
   rsl::FrontendOptions options;
   options.preprocessor.includeDirs = includeDirs;

@@ -9,7 +9,7 @@
 // EXPECT hidden: 1
 // EXPECT side: 1
 // EXPECT beyond: 0
-// EXPECT fading: 0.60653066 0.5625
+// EXPECT fading: 0.60653066 0.5625 0.5625
 // EXPECT counts: 5 0 3 1
 // EXPECT found: 1 0.3 0.25 0.2
 // EXPECT missed: 1
@@ -20,7 +20,7 @@
 // EXPECT cones: 0 0 0
 // EXPECT passing: 1 1 0
 
-surface rays(output varying float open = 1, hidden = 0, side = 0, beyond = 1, fading[2] = {0, 0}, counts[4] = {0, 0, 0, 0};
+surface rays(output varying float open = 1, hidden = 0, side = 0, beyond = 1, fading[3] = {0, 0, 0}, counts[4] = {0, 0, 0, 0};
              output varying float found[4] = {0, 0, 0, 0}, missed = 0, sky = 0;
              output varying vector place = 1, normals = 0; output varying color ground = 0, cones = 1, passing = 0) {
   normal up = (0, 0, 1), down = (0, 0, -1), across = (1, 0, 0);
@@ -31,6 +31,7 @@ surface rays(output varying float open = 1, hidden = 0, side = 0, beyond = 1, fa
   beyond = occlusion(P, down, 64, "maxdist", 0.9);
   fading[0] = occlusion(P, down, 4, "coneangle", 0, "falloff", 0.5);
   fading[1] = occlusion(P, down, 4, "coneangle", 0, "maxdist", 4, "falloff", 2, "falloffmode", "linear");
+  fading[2] = occlusion(P, down, 4, "coneangle", 0, "maxdist", 4, "falloff", 2, "falloffmode", 1);
 
   // Along the axis: how far, what, where.
   float far = 0;

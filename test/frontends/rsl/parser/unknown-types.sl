@@ -9,5 +9,5 @@ surface unknown() {
   Ci = c * d * b[1];
   if (i = 1) Ci = 1;          // expected-warning {{an assignment as a condition; did you mean '=='?}}
   if (s = 1) Ci = 1;          // expected-warning {{an assignment as a condition}}
-  E = P;                      // expected-error {{'E' cannot be assigned}}
+  E = P;                      // expected-warning {{'E' is read-only}} expected-error {{a varying value cannot be assigned to uniform 'E'}}
 }

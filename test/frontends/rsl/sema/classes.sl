@@ -14,7 +14,7 @@ class wrong(float s1 = s) {      // expected-note {{declared here}} expected-err
   public float displacement(output point P) { return 1; }          // expected-error {{method 'displacement' must be void displacement(output point P, output normal N)}}
   public void light(vector L; output color Cl) { Cl = 1; }         // expected-error {{method 'light' must be void light(output vector L, output color Cl)}}
   public void begin(float x) { u = s; }                            // expected-error {{method 'begin' must be void begin()}} expected-error {{a varying value cannot be assigned to uniform 'u'}}
-  void other() { Ng = N; this->missing = 1; this->gone(); }        // expected-error {{'Ng' cannot be assigned}} expected-error {{'wrong' has no member 'missing'}} expected-error {{'wrong' has no method 'gone'}}
+  void other() { Ng = N; this->missing = 1; this->gone(); }        // expected-warning {{'Ng' is read-only; the assignment changes the shader's own copy}} expected-error {{'wrong' has no member 'missing'}} expected-error {{'wrong' has no method 'gone'}}
   float again(float x) { return this->again(x); }                  // expected-error {{function 'again' calls itself}} expected-note {{declared here}}
 }
 

@@ -18,7 +18,7 @@ surface queries(uniform float u = 1; uniform string file = "wood.tex"; float fix
   x = option("Format");                        // expected-error {{'option' takes a name and a variable}}
   x = option("Format", 1);                     // expected-error {{output argument 2 of 'option' needs a variable}}
   x = option(1, x);                            // expected-error {{argument 1 of 'option': a value of type 'float' is no 'string'}}
-  attribute("user:id", du);                    // expected-error {{'du' cannot be assigned}}
+  attribute("user:id", du);                    // expected-warning {{'du' is read-only}}
   string varied = s > 0.5 ? "a" : "b";
   attribute(varied, flag);                     // expected-error {{a varying value cannot be assigned to uniform 'flag'}} expected-note@5 {{declared here}}
   type = shadername("surface");

@@ -19,7 +19,7 @@ surface types(string name = "x"; float f = Cs) {  // expected-error {{initialisi
   f = float "shader" 1;               // expected-error {{a 'float' is in no coordinate system}}
   1 = 2;                              // expected-error {{'=' needs a variable to its left}}
   PI = 3;                             // expected-error {{'=' needs a variable to its left}}
-  Ng = N;                             // expected-error {{'Ng' cannot be assigned}}
+  Ng = N;                             // expected-warning {{'Ng' is read-only; the assignment changes the shader's own copy}}
   // What is allowed.
   Ci = 1; Ci = P; N = Cs; P = N; x = (Cs == Os); m = 2; m = m * 2 / m; Ci = 2 / Cs; Ci /= 2; N += 1;
 }

@@ -16,6 +16,13 @@ surface warnings() {
   b = c;
   c + 1;                                 // expected-warning {{the value of this expression is not used [-Wunused-value]}}
   { float c = 2; Ci = c; }               // expected-warning {{'c' hides another variable of this name [-Wshadow]}}
+  uniform float n = 0;
+  if (s > 0.5) {                         // expected-note {{the condition}}
+    uniform float inside = 1;
+    inside += 1;
+    n = inside;                          // expected-warning {{uniform 'n' is assigned where a varying condition decides [-Wvarying-branch]}}
+  }
+  Ci += n;
   float kr, kt;                          // expected-warning {{variable 'kr' is set but never read}} expected-warning {{variable 'kt' is set but never read}}
   fresnel(I, N, 1, kr, kt);
 }
