@@ -7,10 +7,12 @@
 
 #include "passes/Registry.h"
 
+#include "passes/Vectorize/MathTier.h"
 #include "passes/Vectorize/Normalize.h"
 #include "passes/Vectorize/Stages.h"
 #include "passes/Vectorize/Vectorize.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/Passes/PassBuilder.h"
 
 using namespace llvm;
@@ -36,9 +38,19 @@ static std::optional<VectorizeOptions> parseOptions(StringRef text) {
       options.cleanUp = false;
     } else if (item == "verify") {
       options.verifyEach = true;
+    } else if (item == "keep-fp-flags") {
+      options.keepFlags = true;
+    } else if (item.consume_front("math=")) {
+      std::vector<std::string> tiers = mathTiers();
+      if (!is_contained(tiers, item)) {
+        errs() << "anysl-vectorize: there is no math tier '" << item << "'; there are "
+               << join(tiers, ", ") << "\n";
+        return std::nullopt;
+      }
+      options.mathFile = mathTierFile(item);
     } else {
       errs() << "anysl-vectorize: unknown option '" << item
-             << "'; there are width=W, no-cleanup and verify\n";
+             << "'; there are width=W, math=TIER, keep-fp-flags, no-cleanup and verify\n";
       return std::nullopt;
     }
   }

@@ -9,6 +9,7 @@
 
 #include "passes/Vectorize/IntegerMasks.h"
 #include "passes/Vectorize/StridedAccess.h"
+#include "passes/Vectorize/Unmask.h"
 
 #include "llvm/Analysis/TargetTransformInfo.h"
 #include "llvm/IR/Instructions.h"
@@ -54,6 +55,7 @@ void cleanUp(Function &function, FunctionAnalysisManager &analyses) {
 
   startAtZero(function);
   bool changed = widenStridedAccess(function);
+  changed |= unmaskGathers(function, analyses.getResult<TargetIRAnalysis>(function));
   changed |= keepMasksAsIntegers(function, analyses.getResult<TargetIRAnalysis>(function));
   if (changed)
     analyses.invalidate(function, PreservedAnalyses::none());

@@ -7,11 +7,13 @@
 
 #include "passes/Vectorize/Normalize.h"
 
+#include "passes/Vectorize/PrivateArrays.h"
 #include "passes/Vectorize/VectorAbi.h"
 
 #include "llvm/Analysis/CFG.h"
 #include "llvm/Analysis/LoopInfo.h"
 #include "llvm/Analysis/TargetTransformInfo.h"
+#include "llvm/Analysis/ValueTracking.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/IntrinsicInst.h"
 #include "llvm/Transforms/InstCombine/InstCombine.h"
@@ -20,6 +22,7 @@
 #include "llvm/Transforms/Scalar/SROA.h"
 #include "llvm/Transforms/Scalar/Scalarizer.h"
 #include "llvm/Transforms/Scalar/SimplifyCFG.h"
+#include "llvm/Transforms/Utils/BasicBlockUtils.h"
 #include "llvm/Transforms/Utils/FixIrreducible.h"
 #include "llvm/Transforms/Utils/LCSSA.h"
 #include "llvm/Transforms/Utils/Local.h"
@@ -68,7 +71,57 @@ static bool usesVectors(const Function &function) {
   return false;
 }
 
+/// The largest size of elements that a copy or filling of memory can be made of: what its alignment
+/// and length allow, and for a variable of the function's own, the size that the rest of it has.
+static uint64_t elementSize(const MemIntrinsic &call) {
+  auto *length = dyn_cast<ConstantInt>(call.getLength());
+  if (!length || length->isZero())
+    return 1;
+  uint64_t size = MinAlign(length->getZExtValue(), 8);
+  auto limit = [&](const Value *pointer, MaybeAlign align) {
+    const auto *variable = dyn_cast<AllocaInst>(getUnderlyingObject(pointer));
+    uint64_t own = variable ? accessSize(*variable) : 0;
+    size = std::min(size, own ? own : align.valueOrOne().value());
+  };
+  limit(call.getDest(), call.getDestAlign());
+  if (const auto *copy = dyn_cast<MemTransferInst>(&call))
+    limit(copy->getSource(), copy->getSourceAlign());
+  return size;
+}
+
 /// A copy of memory becomes a loop: in it, each lane's own addresses are ordinary loads and stores.
+static void expandByElements(MemIntrinsic &call, uint64_t size) {
+  IRBuilder<> builder(&call);
+  IntegerType *element = builder.getIntNTy(unsigned(8 * size));
+  uint64_t count = cast<ConstantInt>(call.getLength())->getZExtValue() / size;
+  auto at = [&](Value *pointer, Value *index) {
+    return builder.CreateInBoundsGEP(element, pointer, index);
+  };
+  Value *filling = nullptr;
+  if (auto *set = dyn_cast<MemSetInst>(&call)) {
+    Value *byte = builder.CreateZExt(set->getValue(), element);
+    filling = builder.CreateMul(
+        byte, ConstantInt::get(element, APInt::getSplat(unsigned(8 * size), APInt(8, 1))));
+  }
+  auto copyOne = [&](Value *index) {
+    Value *value = filling;
+    if (auto *copy = dyn_cast<MemCpyInst>(&call))
+      value = builder.CreateAlignedLoad(element, at(copy->getSource(), index),
+                                        commonAlignment(copy->getSourceAlign().valueOrOne(), size));
+    builder.CreateAlignedStore(value, at(call.getDest(), index),
+                               commonAlignment(call.getDestAlign().valueOrOne(), size));
+  };
+  constexpr uint64_t fewEnough = 8;
+  if (count <= fewEnough) {
+    for (uint64_t i = 0; i < count; ++i)
+      copyOne(builder.getInt64(i));
+    return;
+  }
+  auto [inside, index] = SplitBlockAndInsertSimpleForLoop(builder.getInt64(count), &call);
+  builder.SetInsertPoint(inside);
+  copyOne(index);
+}
+
 static bool expandMemoryIntrinsics(Function &function, const TargetTransformInfo &costs) {
   SmallVector<MemIntrinsic *, 8> calls;
   for (Instruction &instruction : instructions(function))
@@ -78,7 +131,9 @@ static bool expandMemoryIntrinsics(Function &function, const TargetTransformInfo
   for (MemIntrinsic *call : calls) {
     if (call->isVolatile())
       continue; // runs as it is, lane by lane
-    if (auto *set = dyn_cast<MemSetInst>(call))
+    if (uint64_t size = elementSize(*call); size > 1 && !isa<MemMoveInst>(call))
+      expandByElements(*call, size);
+    else if (auto *set = dyn_cast<MemSetInst>(call))
       expandMemSetAsLoop(set);
     else if (auto *move = dyn_cast<MemMoveInst>(call)) {
       if (!expandMemMoveAsLoop(move, costs))

@@ -16,6 +16,8 @@
 
 #include "passes/Vectorize/ShapeAnalysis.h"
 
+#include "passes/Vectorize/PrivateArrays.h"
+
 #include "llvm/ADT/PostOrderIterator.h"
 #include "llvm/IR/CFG.h"
 #include "llvm/IR/DataLayout.h"
@@ -168,6 +170,9 @@ bool isReplaceableByOne(const CallBase &call) {
     default:
       break;
     }
+  // Raising a flag twice is no more than raising it once.
+  if (isa<ConstrainedFPIntrinsic>(call))
+    return true;
   return call.onlyReadsMemory() && call.doesNotThrow() && call.willReturn();
 }
 
@@ -220,6 +225,8 @@ Shape ShapeAnalysis::transfer(const Instruction &instruction) const {
     const auto *count = dyn_cast<ConstantInt>(alloca->getArraySize());
     if (!count || !count->getValue().isIntN(32))
       return Shape::varying();
+    if (uint64_t element = interleavedElementSize(*alloca))
+      return Shape::strided(int64_t(element), false, false);
     // Each lane has a copy of its own, aligned like the original.
     uint64_t size = layout.getTypeAllocSize(alloca->getAllocatedType()) * count->getZExtValue();
     return Shape::strided(int64_t(alignTo(std::max<uint64_t>(size, 1), alloca->getAlign())), false,

@@ -8,7 +8,10 @@
 #include "passes/Vectorize/Vectorize.h"
 
 #include "passes/Vectorize/CleanUp.h"
+#include "passes/Vectorize/Flags.h"
+#include "passes/Vectorize/MathTier.h"
 #include "passes/Vectorize/Normalize.h"
+#include "passes/Vectorize/PrivateArrays.h"
 #include "passes/Vectorize/Stages.h"
 #include "passes/Vectorize/Widener.h"
 
@@ -17,6 +20,7 @@
 #include "llvm/IR/Module.h"
 #include "llvm/IR/VFABIDemangler.h"
 #include "llvm/IR/Verifier.h"
+#include "llvm/MC/TargetRegistry.h"
 #include "llvm/Passes/PassBuilder.h"
 #include "llvm/Support/ErrorHandling.h"
 #include "llvm/Target/TargetMachine.h"
@@ -132,7 +136,8 @@ unsigned widestPassed(const Function &function) {
 class VariantMaker : public VariantProvider {
 public:
   VariantMaker(Module &module, const VectorizeOptions &options, TargetMachine *targetMachine)
-      : module(module), options(options), remarks(options), passes(targetMachine) {
+      : module(module), options(options), remarks(options), tier(module, options.mathFile),
+        passes(targetMachine) {
     passes.registerModuleAnalyses(moduleAnalyses);
     passes.registerCGSCCAnalyses(sccAnalyses);
     passes.registerFunctionAnalyses(functionAnalyses);
@@ -161,6 +166,7 @@ private:
   Module &module;
   const VectorizeOptions &options;
   Remarks remarks;
+  MathTier tier;
   PassBuilder passes;
   LoopAnalysisManager loopAnalyses;
   FunctionAnalysisManager functionAnalyses;
@@ -271,6 +277,12 @@ Function *VariantMaker::normalized(Function &scalar) {
   copy->setName(scalar.getName() + ".normal");
   copy->setLinkage(GlobalValue::InternalLinkage);
   copy->setComdat(nullptr);
+  if (tier.apply(*copy))
+    verify(*copy, "taking functions from a math tier");
+  if (options.keepFlags) {
+    mindFlags(*copy);
+    verify(*copy, "minding flags");
+  }
   normalize(*copy, functionAnalyses);
   verify(*copy, "normalisation");
   return copy;
@@ -354,9 +366,13 @@ bool VariantMaker::make(const Job &job) {
   // A copy of its own, which takes its debug information along.
   ValueToValueMapTy map;
   Function *copy = CloneFunction(normalized(scalar), map);
+  if (interleavePrivateArrays(*copy, job.name.width))
+    verify(*copy, "laying out private arrays");
   {
     Analyses analyses(*copy, job.name, functionAnalyses);
     setAttributes(wide, scalar, job.name, *signature, job.caller);
+    if (copy->hasFnAttribute(Attribute::StrictFP))
+      wide.addFnAttr(Attribute::StrictFP);
     Widener(*copy, wide, job.name, *signature, analyses.loops, analyses.shapes, analyses.schedule,
             *this, remarks, scalar)
         .run();
@@ -399,6 +415,7 @@ bool VariantMaker::run() {
     functionAnalyses.clear(*copy, copy->getName());
     copy->eraseFromParent();
   }
+  tier.removeUnused();
   return changed;
 }
 
@@ -407,9 +424,22 @@ bool defineVectorVariants(Module &module, const VectorizeOptions &options,
   return VariantMaker(module, options, targetMachine).run();
 }
 
+/// The machine of the module's triple, if the program that loads the plugin knows it. What each
+/// function is compiled for stands in its attributes.
+static std::unique_ptr<TargetMachine> machineOf(const Module &module) {
+  std::string why;
+  const Target *target = TargetRegistry::lookupTarget(module.getTargetTriple(), why);
+  return std::unique_ptr<TargetMachine>(
+      target ? target->createTargetMachine(module.getTargetTriple(), "", "", {}, {}) : nullptr);
+}
+
 PreservedAnalyses VectorizePass::run(Module &module, ModuleAnalysisManager &analyses) {
-  return defineVectorVariants(module, options, targetMachine) ? PreservedAnalyses::none()
-                                                              : PreservedAnalyses::all();
+  std::unique_ptr<TargetMachine> own;
+  if (!targetMachine)
+    own = machineOf(module);
+  return defineVectorVariants(module, options, own ? own.get() : targetMachine)
+             ? PreservedAnalyses::none()
+             : PreservedAnalyses::all();
 }
 
 } // namespace anysl

@@ -48,6 +48,13 @@ struct VectorizeOptions {
   unsigned width = 0;
   /// Simplify the variants when they are done. Off, the output shows what widening itself does.
   bool cleanUp = true;
+  /// The bitcode of a math tier, from which the variants take the functions of C's <math.h>;
+  /// without one they call C's library, once per active lane.
+  std::string mathFile;
+  /// Raise no floating-point exception flag that the scalar function would not raise: idle lanes
+  /// then compute with numbers that raise none, in the order of the scalar code. Functions that are
+  /// compiled to mind flags (`strictfp`) are always widened so.
+  bool keepFlags = false;
   /// Run LLVM's verifier after every internal stage. Always done in debug builds.
   bool verifyEach = false;
   /// Is told every remark. Without one they go to the module's context as LLVM's optimisation

@@ -5,6 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "passes/Vectorize/Intrinsics.h"
 #include "passes/Vectorize/Widener.h"
 
 #include "llvm/Analysis/ValueTracking.h"
@@ -25,7 +26,7 @@ void Widener::widenCall(CallInst &call) {
   if (callVariant(call))
     return;
   Function *callee = call.getCalledFunction();
-  if (!isHarmless(call))
+  if (!isHarmless(call) || callsMathLibrary(call))
     remark(VectorizeRemark::Kind::LaneByLane, call,
            Twine("calls ") + (callee ? callee->getName() : StringRef("through a pointer")) +
                " once per active lane, as it has no vector variant for " + Twine(width) + " lanes");
@@ -33,25 +34,6 @@ void Widener::widenCall(CallInst &call) {
 }
 
 //===-- Intrinsics ----------------------------------------------------------===//
-
-/// Intrinsics besides LLVM's list of trivially vectorisable ones that take vectors lane by lane.
-static bool worksOnLanes(Intrinsic::ID id) {
-  if (isTriviallyVectorizable(id))
-    return true;
-  switch (id) {
-  case Intrinsic::sadd_with_overflow:
-  case Intrinsic::uadd_with_overflow:
-  case Intrinsic::ssub_with_overflow:
-  case Intrinsic::usub_with_overflow:
-  case Intrinsic::smul_with_overflow:
-  case Intrinsic::umul_with_overflow:
-  case Intrinsic::ldexp:
-  case Intrinsic::is_fpclass:
-    return true;
-  default:
-    return false;
-  }
-}
 
 /// Whether llvm.fmuladd, which is one rounding or two as the processor likes, means the same in the
 /// variant as in the scalar function: the letters d and e give the variant multiply-adds that the
@@ -123,14 +105,13 @@ bool Widener::widenIntrinsic(IntrinsicInst &call) {
     break;
   }
 
-  if (!worksOnLanes(id) || call.getType()->isVectorTy())
+  if ((id == Intrinsic::fshl || id == Intrinsic::fshr) && shiftsThroughFloats())
+    return false;
+  if (auto *constrained = dyn_cast<ConstrainedFPIntrinsic>(&call))
+    return widenConstrained(*constrained);
+  if (!worksOnLanes(id) || call.getType()->isVectorTy() || callsMathLibrary(call))
     return false;
   SmallVector<Value *, 4> arguments;
-  SmallVector<Type *, 4> overloads;
-  Type *result = wide(call.getType());
-  // Which types the intrinsic's name carries follows from its declaration.
-  SmallVector<Intrinsic::IITDescriptor, 8> table;
-  Intrinsic::getIntrinsicInfoTableEntries(id, table);
   for (auto [i, argument] : enumerate(call.args())) {
     Value *operand = argument.get();
     bool scalarOperand =
@@ -139,19 +120,54 @@ bool Widener::widenIntrinsic(IntrinsicInst &call) {
       return false;
     arguments.push_back(scalarOperand ? base(operand) : vector(operand));
   }
-  SmallVector<Type *, 4> types;
-  for (Value *argument : arguments)
-    types.push_back(argument->getType());
-  FunctionType *functionType = FunctionType::get(result, types, false);
-  SmallVector<Type *, 4> overloaded;
-  ArrayRef<Intrinsic::IITDescriptor> rest = table;
-  if (Intrinsic::matchIntrinsicSignature(functionType, rest, overloaded) !=
-      Intrinsic::MatchIntrinsicTypes_Match)
+  CallInst *wideCall = callIntrinsic(builder, id, wide(call.getType()), arguments);
+  if (!wideCall)
     return false;
-  Function *declaration = Intrinsic::getDeclaration(scalar.getParent(), id, overloaded);
-  CallInst *wideCall = builder.CreateCall(declaration, arguments);
   copyFlags(wideCall, call);
   define(call, wideCall);
+  return true;
+}
+
+/// Arithmetic of a function that minds exception flags: idle lanes compute with one, which is exact
+/// in all that can be done with it.
+bool Widener::widenConstrained(ConstrainedFPIntrinsic &call) {
+  Intrinsic::ID id = call.getIntrinsicID();
+  if (call.getType()->isVectorTy() || !worksOnLanes(id))
+    return false;
+  SmallVector<Value *, 4> arguments, metadata;
+  for (Value *operand : call.args()) {
+    if (isa<MetadataAsValue>(operand)) {
+      metadata.push_back(operand);
+      continue;
+    }
+    Type *type = operand->getType();
+    Value *lanes = vector(operand);
+    if (!isFull()) {
+      Constant *one = type->isIntegerTy() ? ConstantInt::get(type, 1) : ConstantFP::get(type, 1);
+      lanes = builder.CreateSelect(currentMask(), lanes, broadcast(one));
+    }
+    arguments.push_back(lanes);
+  }
+  auto make = [&](Intrinsic::ID which, ArrayRef<Value *> operands) {
+    SmallVector<Value *, 6> all(operands);
+    all.append(metadata.begin(), metadata.end());
+    CallInst *made = callIntrinsic(builder, which, wide(call.getType()), all);
+    if (made) {
+      made->addFnAttr(Attribute::StrictFP);
+      copyFlags(made, call);
+    }
+    return made;
+  };
+  CallInst *made;
+  if (id == Intrinsic::experimental_constrained_fmuladd && !fusesLikeScalar()) {
+    made = make(Intrinsic::experimental_constrained_fmul, {arguments[0], arguments[1]});
+    made = make(Intrinsic::experimental_constrained_fadd, {made, arguments[2]});
+  } else {
+    made = make(id, arguments);
+  }
+  if (!made)
+    return false;
+  define(call, made);
   return true;
 }
 
@@ -186,6 +202,13 @@ static bool hasFeatures(const Function &caller, Isa isa) {
     return has("+avx512f");
   }
   return false;
+}
+
+/// Whether a shift of each lane by an amount of its own may raise an exception flag. Before AVX2
+/// there is no such instruction, and LLVM makes powers of two from floating-point exponents, of
+/// which 2^31 does not fit the integer that it is converted to.
+bool Widener::shiftsThroughFloats() const {
+  return widened.hasFnAttribute(Attribute::StrictFP) && !hasFeatures(widened, Isa::Avx2);
 }
 
 bool Widener::argumentsFit(CallInst &call, const VariantName &variant) {

@@ -5,6 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "passes/Vectorize/PrivateArrays.h"
 #include "passes/Vectorize/Widener.h"
 
 #include "llvm/IR/IntrinsicInst.h"
@@ -202,7 +203,7 @@ void Widener::widenStore(StoreInst &instruction) {
 }
 
 void Widener::widenAlloca(AllocaInst &instruction) {
-  // Each lane has its own copy, one after the other.
+  // Each lane has its own copy, one after the other, unless elements lie side by side.
   Type *type = instruction.getAllocatedType();
   Shape count = shapeOf(instruction.getArraySize());
   if (shapeOf(&instruction).isStrided()) {
@@ -210,8 +211,11 @@ void Widener::widenAlloca(AllocaInst &instruction) {
     bool isStatic = instruction.isStaticAlloca();
     IRBuilder<> &where = isStatic ? start : builder;
     AllocaInst *copies =
-        where.CreateAlloca(ArrayType::get(builder.getInt8Ty(), shapeOf(&instruction).stride()),
-                           instruction.getAddressSpace(), where.getInt32(width));
+        interleavedElementSize(instruction)
+            ? where.CreateAlloca(type, instruction.getAddressSpace())
+            : where.CreateAlloca(
+                  ArrayType::get(builder.getInt8Ty(), shapeOf(&instruction).stride()),
+                  instruction.getAddressSpace(), where.getInt32(width));
     copies->setAlignment(instruction.getAlign());
     return define(instruction, copies);
   }

@@ -11,6 +11,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "passes/Vectorize/Intrinsics.h"
 #include "passes/Vectorize/Widener.h"
 
 #include "llvm/Analysis/ValueTracking.h"
@@ -198,6 +199,14 @@ Value *Widener::safeDivisor(BinaryOperator &op, Value *divisor) {
 }
 
 void Widener::widenBinary(BinaryOperator &op) {
+  if (callsMathLibrary(op)) {
+    remark(VectorizeRemark::Kind::LaneByLane, op,
+           "takes a remainder once per active lane, as processors have no instruction for it");
+    return replicate(op);
+  }
+  if (op.getOpcode() == Instruction::Shl && !isa<Constant>(op.getOperand(1)) &&
+      shiftsThroughFloats())
+    return replicate(op);
   Value *left = vector(op.getOperand(0)), *right = vector(op.getOperand(1));
   if (divides(op))
     right = safeDivisor(op, right);
@@ -299,7 +308,7 @@ void Widener::replicate(Instruction &instruction) {
     AllocaInst *memory;
   };
   SmallVector<Varying, 4> varying;
-  bool harmless = isHarmless(instruction);
+  bool harmless = isHarmless(instruction) && !callsMathLibrary(instruction);
   Instruction *pattern = instruction.clone();
   for (Use &operand : pattern->operands()) {
     Value *value = operand.get();

@@ -141,7 +141,7 @@ void Widener::define(Instruction &instruction, Value *value) {
 Value *Widener::blend(Value *mask, Value *ifActive, Value *otherwise) {
   if (isa<PoisonValue>(otherwise))
     return ifActive;
-  return mapLeaves(ifActive->getType(), {ifActive, otherwise}, [&](ArrayRef<Value *> leaves) {
+  return mapLeaves(nullptr, {ifActive, otherwise}, [&](ArrayRef<Value *> leaves) {
     return builder.CreateSelect(mask, leaves[0], leaves[1]);
   });
 }
@@ -324,7 +324,13 @@ void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool di
   const Loop *loop = loops.getLoopFor(to);
   // A header's variables are dead for lanes that are elsewhere.
   bool replaces = loop && loop->getHeader() == to;
-  bool all = isa<Constant>(mask) && cast<Constant>(mask)->isAllOnesValue();
+  auto isAll = [](Value *lanes) {
+    return isa<Constant>(lanes) && cast<Constant>(lanes)->isAllOnesValue();
+  };
+  // A phi's variable is dead, too, for lanes that are here and go elsewhere: if they come to the
+  // phi after all, it is by another edge, which has its turn later. So their own mask will do,
+  // which is known before the branch's condition, and mostly needed for something else.
+  Value *here = maskOf(from);
 
   for (const PHINode &phi : to->phis()) {
     AllocaInst *memory = phiVariable(phi);
@@ -333,9 +339,11 @@ void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool di
     Value *value = single ? base(incoming) : vector(incoming);
     if (isa<PoisonValue>(value))
       continue;
-    if (!replaces && !all && !(single && direct && schedule.plan(from).occupied)) {
+    bool keepsOld =
+        single ? !isAll(mask) && !(direct && schedule.plan(from).occupied) : !isAll(here);
+    if (!replaces && keepsOld) {
       Value *old = builder.CreateLoad(value->getType(), memory);
-      value = single ? builder.CreateSelect(anyLane(mask), value, old) : blend(mask, value, old);
+      value = single ? builder.CreateSelect(anyLane(mask), value, old) : blend(here, value, old);
     }
     builder.CreateStore(value, memory);
   }
@@ -343,7 +351,7 @@ void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool di
   if (plan.leader != target || plan.full)
     return;
   AllocaInst *memory = maskVariable(target);
-  if (!replaces && !all)
+  if (!replaces && !isAll(mask))
     mask = builder.CreateOr(builder.CreateLoad(mask->getType(), memory), mask);
   builder.CreateStore(mask, memory);
 }

@@ -122,7 +122,9 @@ private:
   //===-- Calls, WidenCalls.cpp ---------------------------------------------===//
   void widenCall(llvm::CallInst &call);
   bool widenIntrinsic(llvm::IntrinsicInst &call);
+  bool widenConstrained(llvm::ConstrainedFPIntrinsic &call);
   bool fusesLikeScalar() const;
+  bool shiftsThroughFloats() const;
   bool callVariant(llvm::CallInst &call);
   bool tryVariant(llvm::CallInst &call, const VariantName &name, llvm::Function &variant);
   bool argumentsFit(llvm::CallInst &call, const VariantName &name);

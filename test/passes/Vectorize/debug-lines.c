@@ -14,3 +14,9 @@ float lines(float x) {
     x = opaque(x) * 0.5f;
   return x;
 }
+
+#pragma omp declare simd notinbranch uniform(table)
+float look(const float *table, unsigned k) {
+  // REMARK-DAG: debug-lines.c:[[@LINE+1]]:{{[0-9]+}}: loads from an unrelated address in each lane
+  return table[k & 255];
+}
