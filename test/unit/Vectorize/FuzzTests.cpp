@@ -8,7 +8,7 @@
 // Fixed seeds, so that a run can be repeated. ANYSL_FUZZ_COUNT=N tests N functions instead of a few
 // hundred, ANYSL_FUZZ_FIRST=S starts at another seed, ANYSL_FUZZ_WRITE=DIR writes each failing
 // function to a file, which ANYSL_FUZZ_FILE=FILE with the hidden test "[file]" runs again (for
-// llvm-reduce), ANYSL_DUMP=1 prints what is compiled.
+// llvm-reduce; ANYSL_FUZZ_WIDTH and ANYSL_FUZZ_FLAGS say how), ANYSL_DUMP=1 prints what is compiled.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -49,7 +49,8 @@ static void fuzz(uint64_t first, uint64_t count) {
     if (verbose)
       llvm::errs() << "seed " << seed << "\n";
     llvm::LLVMContext context;
-    auto module = generateModule(context, seed);
+    bool mindsFlags = seed % 5 == 0;
+    auto module = generateModule(context, seed, mindsFlags);
     REQUIRE(!llvm::verifyModule(*module, &llvm::errs()));
     Comparison how;
     how.width = target.width;
@@ -57,6 +58,7 @@ static void fuzz(uint64_t first, uint64_t count) {
     how.seed = seed;
     how.rounds = 4;
     how.optimizeScalar = seed % 3 == 0;
+    how.mindFlags = mindsFlags;
     INFO("seed " << seed << ", " << target.width << " lanes for " << target.cpu);
     std::string difference = compareLanes(*module, "fuzz", how);
     if (const char *folder = std::getenv("ANYSL_FUZZ_WRITE"); folder && !difference.empty()) {
@@ -79,6 +81,7 @@ TEST_CASE("the function fuzz of a file gives the same bits in every lane", "[.fi
   how.width = number("ANYSL_FUZZ_WIDTH", 8);
   how.cpu = how.width == 4 ? "x86-64-v2" : how.width == 8 ? "x86-64-v3" : "x86-64-v4";
   how.rounds = 8;
+  how.mindFlags = number("ANYSL_FUZZ_FLAGS", 0);
   CHECK(compareLanes(*module, "fuzz", how) == "");
 }
 

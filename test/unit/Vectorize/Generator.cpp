@@ -23,12 +23,13 @@ namespace {
 
 class Generator {
 public:
-  Generator(LLVMContext &context, uint64_t seed)
-      : context(context), random(seed), builder(context),
+  Generator(LLVMContext &context, uint64_t seed, bool mindsFlags)
+      : context(context), random(seed), builder(context), mindsFlags(mindsFlags),
         module(std::make_unique<Module>("fuzz", context)) {
-    types = {builder.getInt32Ty(),  builder.getFloatTy(), builder.getInt64Ty(),
-             builder.getDoubleTy(), builder.getInt16Ty(), builder.getInt8Ty(),
-             builder.getInt1Ty()};
+    types = {builder.getInt32Ty(),  builder.getFloatTy(),  builder.getInt64Ty(),
+             builder.getDoubleTy(), builder.getInt16Ty(),  builder.getInt8Ty(),
+             builder.getInt1Ty(),   builder.getIntNTy(24), builder.getIntNTy(7)};
+    pairType = StructType::get(context, {builder.getInt32Ty(), builder.getFloatTy()});
   }
   std::unique_ptr<Module> run();
 
@@ -38,6 +39,8 @@ private:
     Type *type;
     bool uniform; ///< only ever holds what is the same for all lanes
   };
+
+  static constexpr unsigned InMemory = 6; ///< the first types, which inputs and outputs have
 
   unsigned below(unsigned bound) { return random() % bound; }
   bool chance(unsigned percent) { return below(100) < percent; }
@@ -58,23 +61,30 @@ private:
   void writeMemory();
   void divide();
   void callSomething();
+  void callHelper(Variable &target);
   void usePrivateArray();
+  void usePointer();
+  Value *address(bool uniform, bool writable);
   Variable *variableOf(Type *type, bool uniform);
   Value *inputAddress(unsigned field, unsigned row, Type *element, Value *lane);
 
   LLVMContext &context;
   std::mt19937_64 random;
   IRBuilder<> builder;
+  bool mindsFlags;
   std::unique_ptr<Module> module;
-  SmallVector<Type *, 8> types;
+  SmallVector<Type *, 12> types;
+  StructType *pairType; ///< what helpers take and return
   SmallVector<Function *, 4> helpers;
-  Function *opaque = nullptr;
+  Function *opaque = nullptr, *declared = nullptr;
 
   // Of the function being made.
   bool inKernel = false;
   Value *args = nullptr, *lane = nullptr;
   SmallVector<Variable, 24> variables;
-  AllocaInst *fuel = nullptr, *array = nullptr;
+  AllocaInst *fuel = nullptr, *array = nullptr, *oddArray = nullptr;
+  SmallVector<Variable, 4> pointers; ///< to readable integers; the last to ones of the lane's own
+  bool mixesPointers = false;        ///< whether some point into `array`
   unsigned calls = 0;
 };
 
@@ -213,6 +223,13 @@ Value *Generator::convert(Type *type, bool uniform) {
                                          ConstantFP::get(from, 7));
     return builder.CreateBitCast(number, type);
   }
+  if (mindsFlags && type->isIntegerTy(1))
+    return builder.CreateFCmpUNE(source, ConstantFP::get(from, 0));
+  if (mindsFlags) {
+    Value *size = builder.CreateUnaryIntrinsic(Intrinsic::fabs, source);
+    Value *fits = builder.CreateFCmpOLT(size, ConstantFP::get(from, 60));
+    return builder.CreateFPToSI(builder.CreateSelect(fits, source, ConstantFP::get(from, 0)), type);
+  }
   return builder.CreateIntrinsic(chance(50) ? Intrinsic::fptosi_sat : Intrinsic::fptoui_sat,
                                  {type, from}, {source});
 }
@@ -256,8 +273,10 @@ static Field outputField(Type *type) {
 
 /// A value of one of the types that memory holds.
 Value *Generator::readMemory(Type *type) {
-  if (type->isIntegerTy(1))
+  if (type->isIntegerTy(1) || type->isIntegerTy(7))
     return builder.CreateTrunc(readMemory(builder.getInt8Ty()), type);
+  if (type->isIntegerTy(24))
+    return builder.CreateTrunc(readMemory(builder.getInt32Ty()), type);
   auto byte = [&](uint64_t offset) {
     return builder.CreateGEP(builder.getInt8Ty(), args, builder.getInt64(offset));
   };
@@ -284,7 +303,7 @@ Value *Generator::readMemory(Type *type) {
 
 /// Writes to the lane's own element, which it may read back.
 void Generator::writeMemory() {
-  Type *type = types[below(types.size() - 1)];
+  Type *type = types[below(InMemory)];
   auto byte = [&](uint64_t offset) {
     return builder.CreateGEP(builder.getInt8Ty(), args, builder.getInt64(offset));
   };
@@ -305,21 +324,73 @@ void Generator::writeMemory() {
 }
 
 void Generator::usePrivateArray() {
-  Type *type = builder.getInt32Ty();
-  Value *index = builder.CreateAnd(value(type, chance(30)), builder.getInt32(7));
-  Value *address = builder.CreateGEP(type, array, index);
+  bool odd = chance(15);
+  Type *type = odd ? builder.getIntNTy(24) : builder.getInt32Ty();
+  Value *index =
+      builder.CreateAnd(value(builder.getInt32Ty(), chance(30)), builder.getInt32(odd ? 3 : 7));
+  Value *address = builder.CreateGEP(type, odd ? oddArray : array, index);
   if (chance(50))
     builder.CreateStore(value(type, chance(20)), address);
   else if (Variable *variable = variableOf(type, false); variable && !variable->uniform)
     builder.CreateStore(builder.CreateLoad(type, address), variable->memory);
 }
 
+/// Where an integer lies that may be read; or one of the lane's own.
+Value *Generator::address(bool uniform, bool writable) {
+  Type *type = builder.getInt32Ty();
+  auto byte = [&](uint64_t offset) {
+    return builder.CreateGEP(builder.getInt8Ty(), args, builder.getInt64(offset));
+  };
+  auto index = [&](unsigned mask) {
+    return builder.CreateAnd(value(type, uniform || chance(30)), builder.getInt32(mask));
+  };
+  if (uniform || (!writable && chance(40)))
+    return builder.CreateGEP(type, byte(offsetof(Args, itable)), index(TABLE - 1));
+  if (mixesPointers && chance(40))
+    return builder.CreateGEP(type, array, index(7));
+  if (!writable && chance(40))
+    return builder.CreateGEP(type, byte(offsetof(Args, i) + below(INPUTS) * sizeof(int) * LANES),
+                             lane);
+  Value *row = builder.CreateGEP(ArrayType::get(type, PRIVATE), byte(offsetof(Args, priv)), lane);
+  return builder.CreateGEP(type, row, index(PRIVATE - 1));
+}
+
+void Generator::usePointer() {
+  Type *type = builder.getInt32Ty();
+  bool own = chance(30);
+  Variable &pointer = own ? pointers.back() : pointers[below(pointers.size() - 1)];
+  if (chance(40)) {
+    Value *target = address(pointer.uniform, own);
+    if (chance(20)) {
+      Value *old = builder.CreateLoad(builder.getPtrTy(), pointer.memory);
+      target = builder.CreateSelect(condition(pointer.uniform), target, old);
+    }
+    builder.CreateStore(target, pointer.memory);
+    return;
+  }
+  Value *target = builder.CreateLoad(builder.getPtrTy(), pointer.memory);
+  if (own && chance(50)) {
+    builder.CreateStore(value(type, chance(20)), target);
+    return;
+  }
+  Variable *variable = variableOf(type, false);
+  if (!variable || variable->uniform)
+    return;
+  Value *result = builder.CreateLoad(type, target);
+  if (chance(20)) {
+    Value *other = builder.CreateLoad(builder.getPtrTy(), pointers[0].memory);
+    result = builder.CreateSelect(builder.CreateICmpEQ(target, other), result,
+                                  builder.CreateNot(result));
+  }
+  builder.CreateStore(result, variable->memory);
+}
+
 //===-- Steps ---------------------------------------------------------------===//
 
 /// if (divisor is good) x = a / divisor
 void Generator::divide() {
-  Type *type = types[below(6)];
-  if (!type->isIntegerTy())
+  Type *type = types[below(types.size())];
+  if (!type->isIntegerTy() || type->isIntegerTy(1))
     return;
   Variable *target = variableOf(type, false);
   if (!target || target->uniform)
@@ -349,20 +420,37 @@ void Generator::callSomething() {
   if (!target || target->uniform)
     return;
   if (inKernel && chance(40)) {
-    Value *result = builder.CreateCall(
-        opaque, {value(type, chance(30)), value(builder.getFloatTy(), chance(30))});
+    Value *result =
+        builder.CreateCall(chance(50) ? opaque : declared,
+                           {value(type, chance(30)), value(builder.getFloatTy(), chance(30))});
     builder.CreateStore(result, target->memory);
     return;
   }
-  if (helpers.empty())
-    return;
+  if (!helpers.empty())
+    callHelper(*target);
+}
+
+/// Passes a structure as a value, chosen from two now and then, and gets one.
+void Generator::callHelper(Variable &target) {
+  Type *type = builder.getInt32Ty();
   Function *helper = helpers[below(helpers.size())];
   Value *depth = inKernel ? cast<Value>(builder.getInt32(below(3)))
-                          : builder.CreateSub(builder.GetInsertBlock()->getParent()->getArg(4),
+                          : builder.CreateSub(builder.GetInsertBlock()->getParent()->getArg(3),
                                               builder.getInt32(1));
-  Value *result = builder.CreateCall(helper, {args, lane, value(type, chance(40)),
-                                              value(builder.getFloatTy(), chance(40)), depth});
-  builder.CreateStore(result, target->memory);
+  auto pair = [&] {
+    Value *one = builder.CreateInsertValue(PoisonValue::get(pairType), value(type, chance(40)), 0);
+    return builder.CreateInsertValue(one, value(builder.getFloatTy(), chance(40)), 1);
+  };
+  Value *argument = pair();
+  if (chance(40)) {
+    Value *other = pair();
+    argument = builder.CreateSelect(condition(chance(20)), argument, other);
+  }
+  Value *result = builder.CreateCall(helper, {args, lane, argument, depth});
+  builder.CreateStore(builder.CreateExtractValue(result, 0), target.memory);
+  Variable *number = variableOf(builder.getFloatTy(), false);
+  if (number && !number->uniform)
+    builder.CreateStore(builder.CreateExtractValue(result, 1), number->memory);
 }
 
 void Generator::step() {
@@ -375,14 +463,16 @@ void Generator::step() {
     return callSomething();
   if (kind < 24)
     return usePrivateArray();
+  if (kind < 29)
+    return usePointer();
   Variable &target = variables[below(variables.size())];
   bool uniform = target.uniform;
   Value *result;
-  if (kind < 40 && !uniform)
+  if (kind < 43 && !uniform)
     result = readMemory(target.type);
-  else if (kind < 55)
+  else if (kind < 57)
     result = convert(target.type, uniform);
-  else if (kind < 62)
+  else if (kind < 63)
     result = value(target.type, uniform);
   else if (target.type->isFloatingPointTy())
     result = floatOperation(target.type, uniform);
@@ -441,7 +531,17 @@ void Generator::makeVariables(Function *function, bool isKernel) {
       variables.push_back({builder.CreateAlloca(type), type, i == 2});
   fuel = builder.CreateAlloca(builder.getInt32Ty(), nullptr, "fuel");
   array = builder.CreateAlloca(ArrayType::get(builder.getInt32Ty(), 8), nullptr, "array");
-  builder.CreateStore(Constant::getNullValue(array->getAllocatedType()), array);
+  oddArray = builder.CreateAlloca(ArrayType::get(builder.getIntNTy(24), 4), nullptr, "odd");
+  for (AllocaInst *memory : {array, oddArray})
+    for (unsigned i = 0; i < memory->getAllocatedType()->getArrayNumElements(); ++i) {
+      Type *element = memory->getAllocatedType()->getArrayElementType();
+      builder.CreateStore(Constant::getNullValue(element),
+                          builder.CreateGEP(element, memory, builder.getInt64(i)));
+    }
+  mixesPointers = chance(40);
+  pointers.clear();
+  for (unsigned i = 0; i < 4; ++i)
+    pointers.push_back({builder.CreateAlloca(builder.getPtrTy()), builder.getPtrTy(), i == 1});
   auto scalar = [&](uint64_t offset, Type *type) {
     return builder.CreateLoad(
         type, builder.CreateGEP(builder.getInt8Ty(), args, builder.getInt64(offset)));
@@ -462,6 +562,8 @@ void Generator::makeVariables(Function *function, bool isKernel) {
       initial = constant(variable.type);
     builder.CreateStore(initial, variable.memory);
   }
+  for (Variable &pointer : pointers)
+    builder.CreateStore(address(pointer.uniform, &pointer == &pointers.back()), pointer.memory);
 }
 
 void Generator::generateBody(Function *function, unsigned size, bool isKernel) {
@@ -474,10 +576,10 @@ void Generator::generateBody(Function *function, unsigned size, bool isKernel) {
   makeVariables(function, isKernel);
   BasicBlock *end = BasicBlock::Create(context, "end", function);
   if (!isKernel) {
-    builder.CreateStore(function->getArg(2), variables[0].memory);
-    builder.CreateStore(function->getArg(3), variables[3].memory);
+    builder.CreateStore(builder.CreateExtractValue(function->getArg(2), 0), variables[0].memory);
+    builder.CreateStore(builder.CreateExtractValue(function->getArg(2), 1), variables[3].memory);
     BasicBlock *deep = BasicBlock::Create(context, "deep", function);
-    builder.CreateCondBr(builder.CreateICmpSGT(function->getArg(4), builder.getInt32(0)), deep,
+    builder.CreateCondBr(builder.CreateICmpSGT(function->getArg(3), builder.getInt32(0)), deep,
                          end);
     builder.SetInsertPoint(deep);
   }
@@ -493,28 +595,80 @@ void Generator::generateBody(Function *function, unsigned size, bool isKernel) {
   }
   builder.SetInsertPoint(end);
   if (!isKernel) {
-    builder.CreateRet(builder.CreateLoad(builder.getInt32Ty(), variables[below(2)].memory));
+    Value *result = PoisonValue::get(pairType);
+    for (unsigned i = 0; i < 2; ++i)
+      result = builder.CreateInsertValue(
+          result,
+          builder.CreateLoad(pairType->getElementType(i), variables[3 * i + below(2)].memory), i);
+    builder.CreateRet(result);
     return;
   }
-  for (Variable &variable : variables)
-    if (!variable.type->isIntegerTy(1)) {
-      Field field = outputField(variable.type);
-      Value *row = builder.CreateGEP(
-          builder.getInt8Ty(), args,
-          builder.getInt64(field.offset +
-                           ((&variable - variables.data()) % field.rows) * field.row));
-      builder.CreateStore(builder.CreateLoad(variable.type, variable.memory),
-                          builder.CreateGEP(variable.type, row, lane));
-    }
+  for (Variable &variable : variables) {
+    bool odd = !is_contained(ArrayRef(types).take_front(InMemory), variable.type);
+    Type *type = odd ? builder.getInt32Ty() : variable.type;
+    Field field = outputField(type);
+    Value *row = builder.CreateGEP(
+        builder.getInt8Ty(), args,
+        builder.getInt64(field.offset + ((&variable - variables.data()) % field.rows) * field.row));
+    Value *address = builder.CreateGEP(type, row, lane);
+    Value *result = builder.CreateLoad(variable.type, variable.memory);
+    if (odd) // what no row of its own holds
+      result = builder.CreateXor(
+          builder.CreateSExt(result, type),
+          builder.CreateMul(builder.CreateLoad(type, address), builder.getInt32(31)));
+    builder.CreateStore(result, address);
+  }
   builder.CreateRetVoid();
+}
+
+/// A function that is only declared, with masked variants of 4, 8 and 16 lanes whose code is given.
+static Function *declareWithVariants(Module &module) {
+  LLVMContext &context = module.getContext();
+  IRBuilder<> builder(context);
+  Type *i32 = builder.getInt32Ty(), *number = builder.getFloatTy();
+  auto *function = Function::Create(FunctionType::get(i32, {i32, number}, false),
+                                    GlobalValue::ExternalLinkage, "anyslTestDeclared", module);
+  for (unsigned width : {4, 8, 16}) {
+    std::string count = std::to_string(width), name = "anyslTestDeclared_x" + count;
+    auto lanes = [&](Type *type) { return FixedVectorType::get(type, width); };
+    Type *types[] = {lanes(i32), lanes(number), lanes(builder.getInt1Ty())};
+    auto *variant = Function::Create(FunctionType::get(types[0], types, false),
+                                     GlobalValue::ExternalLinkage, name, module);
+    variant->addFnAttr("min-legal-vector-width", std::to_string(32 * width));
+    variant->addFnAttr("prefer-vector-width", std::to_string(32 * width));
+    BasicBlock *block = BasicBlock::Create(context, "", variant);
+    builder.SetInsertPoint(block);
+    Value *result = Constant::getNullValue(types[0]);
+    for (unsigned lane = 0; lane < width; ++lane) {
+      BasicBlock *call = BasicBlock::Create(context, "", variant);
+      BasicBlock *next = BasicBlock::Create(context, "", variant);
+      Value *here[3];
+      for (unsigned i = 0; i < 3; ++i)
+        here[i] = builder.CreateExtractElement(variant->getArg(i), lane);
+      builder.CreateCondBr(here[2], call, next);
+      builder.SetInsertPoint(call);
+      Value *made = builder.CreateInsertElement(
+          result, builder.CreateCall(function, {here[0], here[1]}), lane);
+      builder.CreateBr(next);
+      builder.SetInsertPoint(next);
+      PHINode *either = builder.CreatePHI(types[0], 2);
+      either->addIncoming(result, block);
+      either->addIncoming(made, call);
+      result = either;
+      block = next;
+    }
+    builder.CreateRet(result);
+    function->addFnAttr("_ZGV_LLVM_M" + count + "vv_anyslTestDeclared(" + name + ")");
+  }
+  return function;
 }
 
 std::unique_ptr<Module> Generator::run() {
   Type *i32 = builder.getInt32Ty();
   opaque = Function::Create(FunctionType::get(i32, {i32, builder.getFloatTy()}, false),
                             GlobalValue::ExternalLinkage, "anyslTestOpaque", *module);
-  auto *helperType =
-      FunctionType::get(i32, {builder.getPtrTy(), i32, i32, builder.getFloatTy(), i32}, false);
+  declared = declareWithVariants(*module);
+  auto *helperType = FunctionType::get(pairType, {builder.getPtrTy(), i32, pairType, i32}, false);
   for (unsigned i = 0, count = below(3); i < count; ++i)
     helpers.push_back(
         Function::Create(helperType, GlobalValue::InternalLinkage, "helper", *module));
@@ -527,8 +681,8 @@ std::unique_ptr<Module> Generator::run() {
   return std::move(module);
 }
 
-std::unique_ptr<Module> generateModule(LLVMContext &context, uint64_t seed) {
-  return Generator(context, seed).run();
+std::unique_ptr<Module> generateModule(LLVMContext &context, uint64_t seed, bool mindsFlags) {
+  return Generator(context, seed, mindsFlags).run();
 }
 
 } // namespace anysl::test

@@ -445,6 +445,28 @@ void bytesAndBools(Args *a, int lane) {
   a->so[lane] = (short)((a->b[2][lane] * 257) >> 3);
 }
 
+/* Integers of every width, and numbers that no vector register holds. */
+void oddWidths(Args *a, int lane) {
+  _BitInt(24) x = a->i[0][lane];
+  unsigned _BitInt(7) y = a->b[0][lane];
+  __int128 product = (__int128)a->l[0][lane] * a->l[1][lane];
+  long double e = a->d[0][lane];
+  _BitInt(24) steps[4] = {x, y, 3, 5};
+  if (a->i[1][lane] > 0) {
+    x = x * 3 + y;
+    product >>= y & 63;
+    e = e * e + x;
+    steps[y & 3] += x;
+  }
+  for (int k = 0; k < (a->b[1][lane] & 3); ++k)
+    e = e / 3 + steps[k];
+  a->io[0][lane] = x + steps[a->b[2][lane] & 3];
+  a->lo[0][lane] = (long long)(product >> 32);
+  a->lo[1][lane] = (long long)product;
+  a->dout[0][lane] = (double)e;
+  a->bo[lane] = (unsigned char)y;
+}
+
 /*===-- Division ------------------------------------------------------------===*/
 
 void divisions(Args *a, int lane) {

@@ -7,6 +7,7 @@
 
 #include "test/unit/Vectorize/Lanes.h"
 
+#include "passes/Vectorize/Flags.h"
 #include "passes/Vectorize/Vectorize.h"
 #include "test/unit/Vectorize/Kernels.h"
 
@@ -22,6 +23,7 @@
 #include "llvm/Transforms/IPO/Internalize.h"
 #include "llvm/Transforms/Utils/Cloning.h"
 
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -35,7 +37,14 @@ int anyslTestCalls;
 extern "C" int anyslTestOpaque(int x, float y);
 int anyslTestOpaque(int x, float y) {
   ++anyslTestCalls;
-  return x * 31 + (y > 0 ? 7 : -3);
+  return int(unsigned(x) * 31) + (y > 0 ? 7 : -3);
+}
+
+/// What has variants beside it, which call it for active lanes.
+extern "C" int anyslTestDeclared(int x, float y);
+int anyslTestDeclared(int x, float y) {
+  ++anyslTestCalls;
+  return int(unsigned(x) * 17) ^ (y > 1 ? 5 : 80);
 }
 
 namespace anysl::test {
@@ -167,7 +176,10 @@ static std::unique_ptr<Module> isolate(const Module &module, StringRef name,
     function.addFnAttr("target-cpu", how.cpu);
     function.removeFnAttr("min-legal-vector-width");
   }
-  internalizeModule(*copy, [&](const GlobalValue &value) { return value.getName() == name; });
+  internalizeModule(*copy, [&](const GlobalValue &value) {
+    // Variants that only an attribute names.
+    return value.getName() == name || value.getName().starts_with("anyslTest");
+  });
   PassBuilder passes;
   LoopAnalysisManager loops;
   FunctionAnalysisManager functions;
@@ -183,6 +195,10 @@ static std::unique_ptr<Module> isolate(const Module &module, StringRef name,
   if (how.optimizeScalar)
     manager.addPass(passes.buildPerModuleDefaultPipeline(OptimizationLevel::O2));
   manager.run(*copy, modules);
+  if (how.mindFlags)
+    for (Function &function : *copy)
+      if (!function.isDeclaration())
+        anysl::mindFlags(function);
   return copy;
 }
 
@@ -266,6 +282,8 @@ std::string compareLanes(const Module &module, StringRef name, const Comparison 
   orc::SymbolMap own;
   own[jit->mangleAndIntern("anyslTestOpaque")] = {orc::ExecutorAddr::fromPtr(&anyslTestOpaque),
                                                   JITSymbolFlags::Exported};
+  own[jit->mangleAndIntern("anyslTestDeclared")] = {orc::ExecutorAddr::fromPtr(&anyslTestDeclared),
+                                                    JITSymbolFlags::Exported};
   if (Error error = jit->getMainJITDylib().define(orc::absoluteSymbols(own)))
     return toString(std::move(error));
   if (Error error = jit->addIRModule(orc::ThreadSafeModule(std::move(moved), std::move(context))))
@@ -301,12 +319,19 @@ std::string compareLanes(const Module &module, StringRef name, const Comparison 
           spoil(*expected, first + lane);
       *got = *expected;
       anyslTestCalls = 0;
+      std::feclearexcept(FE_ALL_EXCEPT);
       for (unsigned lane = 0; lane < how.width; ++lane)
         if (mask >> lane & 1)
           scalar(expected.get(), first + lane);
       int calls = std::exchange(anyslTestCalls, 0);
+      int flags = std::fetestexcept(FE_ALL_EXCEPT);
+      std::feclearexcept(FE_ALL_EXCEPT);
       (useFull ? runFull : runMasked)(got.get(), first, mask);
+      int raised = std::fetestexcept(FE_ALL_EXCEPT);
       std::string difference = compare(*expected, *got);
+      if (difference.empty() && how.mindFlags && flags != raised)
+        difference = "exception flags are " + std::to_string(raised) + ", should be " +
+                     std::to_string(flags);
       if (difference.empty() && calls != anyslTestCalls)
         difference = "an opaque function ran " + std::to_string(anyslTestCalls) +
                      " times, should run " + std::to_string(calls) + " times";

@@ -21,6 +21,7 @@ struct Comparison {
   unsigned rounds = 8;           ///< sets of inputs, each with several masks
   uint64_t seed = 1;
   bool optimizeScalar = false; ///< give the scalar function to LLVM's -O2 first
+  bool mindFlags = false;      ///< compare floating-point exception flags, too
 };
 
 /// Widens `void name(struct Args *args, int lane)` (Kernels.h) and runs it on random inputs beside
