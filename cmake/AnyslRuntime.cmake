@@ -11,9 +11,10 @@ set(ANYSL_BITCODE_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/anysl)
 set(ANYSL_BITCODE_FLAGS
     -std=c++20 -O1 -Xclang -disable-llvm-passes -ffp-contract=off -fno-math-errno
     -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-stack-protector -fno-unwind-tables
-    -fno-asynchronous-unwind-tables -fPIC -nostdinc++ -nostdlibinc
+    -fno-asynchronous-unwind-tables -fPIC -DANYSL_IS_BITCODE
     # Conditions of numbers with derivatives are calls, which clang would rather see joined by &&.
     -Wall -Wextra -Wmissing-prototypes -Wno-bitwise-instead-of-logical -Werror)
+set(ANYSL_BITCODE_FREESTANDING -nostdinc++ -nostdlibinc)
 set(ANYSL_RUNTIME_INCLUDES ${PROJECT_SOURCE_DIR}/include ${ANYSL_INCLUDE_DIR})
 set(ANYSL_REAL_SOURCE_DIR ${PROJECT_SOURCE_DIR}/runtimes/real)
 
@@ -22,11 +23,12 @@ if(NOT TARGET anysl-runtimes)
   add_custom_target(anysl-runtimes ALL)
 endif()
 
-# anysl_add_bitcode(PATH SOURCES files... [INCLUDES folders...] [FLAGS flags...])
+# anysl_add_bitcode(PATH SOURCES files... [HOSTED files...] [INCLUDES folders...] [FLAGS flags...])
 #
-# Compiles the sources and links them into the one module lib/anysl/PATH, e.g. "real/float.bc".
+# Compiles the sources and links them into the one module lib/anysl/PATH, e.g. "real/float.bc". HOSTED are sources
+# that call a library of the system and so see its headers.
 function(anysl_add_bitcode path)
-  cmake_parse_arguments(ARG "" "" "SOURCES;INCLUDES;FLAGS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;HOSTED;INCLUDES;FLAGS" ${ARGN})
   set(output ${ANYSL_BITCODE_DIR}/${path})
   string(REGEX REPLACE "[/.]" "-" target "bitcode-${path}")
   set(includes)
@@ -35,14 +37,18 @@ function(anysl_add_bitcode path)
   endforeach()
 
   set(modules)
-  foreach(source ${ARG_SOURCES})
+  foreach(source ${ARG_SOURCES} ${ARG_HOSTED})
+    set(headers ${ANYSL_BITCODE_FREESTANDING})
+    if(source IN_LIST ARG_HOSTED)
+      set(headers)
+    endif()
     get_filename_component(source ${source} ABSOLUTE)
     get_filename_component(stem ${source} NAME_WE)
     set(module ${CMAKE_CURRENT_BINARY_DIR}/${target}/${stem}.bc)
     add_custom_command(
       OUTPUT ${module}
       COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/${target}
-      COMMAND ${ANYSL_CLANG} ${ANYSL_BITCODE_FLAGS} ${ARG_FLAGS} ${includes}
+      COMMAND ${ANYSL_CLANG} ${ANYSL_BITCODE_FLAGS} ${headers} ${ARG_FLAGS} ${includes}
               -MD -MF ${module}.d -MT ${module} -emit-llvm -c ${source} -o ${module}
       DEPENDS ${source} DEPFILE ${module}.d
       COMMENT "Compiling ${path} (${stem})" VERBATIM)

@@ -70,9 +70,10 @@ struct Dual {
   Real value, u, v;
 
   Dual() = default;
-  Dual(float x) : value(Real(x)), u(0), v(0) {}
-  Dual(double x) : value(Real(x)), u(0), v(0) {}
-  Dual(int x) : value(Real(x)), u(0), v(0) {}
+  /// A constant.
+  template <typename Plain>
+    requires(__is_arithmetic(Plain) || __is_same(Plain, Real))
+  Dual(Plain x) : value(Real(x)), u(0), v(0) {}
   Dual(Real value, Real u, Real v) : value(value), u(u), v(v) {}
   Dual(const Dual &o) : value(o.value), u(o.u), v(o.v) {}
   Dual &operator=(const Dual &o) {
@@ -119,6 +120,12 @@ template <typename Real>
 inline Real derivativeV(const Dual<Real> &x) {
   return x.v;
 }
+template <typename Real>
+inline auto numberOf(const Dual<Real> &x) {
+  return numberOf(x.value);
+}
+template <typename Real>
+inline constexpr bool isScalarOnly<Dual<Real>> = isScalarOnly<Real>;
 /// `value`, with the derivatives of `x`.
 template <typename Real>
 inline Dual<Real> withValue(Real value, const Dual<Real> &x) {
@@ -169,9 +176,8 @@ inline Dual<Real> ceilOf(const Dual<Real> &x) {
 template <typename Real>
 inline Dual<Real> copySign(const Dual<Real> &magnitude, const Dual<Real> &sign) {
   Dual<Real> x = absOf(magnitude);
-  Real value = copySign(magnitude.value, sign.value);
-  bool isNegative = bitsOf(value) != bitsOf(x.value);
-  return {value, isNegative ? -x.u : x.u, isNegative ? -x.v : x.v};
+  bool isNegative = hasSign(sign.value);
+  return {copySign(magnitude.value, sign.value), isNegative ? -x.u : x.u, isNegative ? -x.v : x.v};
 }
 template <typename Real>
 inline Dual<Real> justBelow(const Dual<Real> &x) {

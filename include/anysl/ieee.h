@@ -96,6 +96,19 @@ template <typename Real>
 inline bool isNaN(Real x) {
   return x != x;
 }
+/// Whether x is a number and not infinite. Bits are compared, because arithmetic of derivatives may
+/// suppose that there is no NaN.
+template <typename Real>
+inline bool isFinite(Real x) {
+  constexpr BitsOf<Real> exponent = BitsOf<Real>(2 * IeeeFormat<Real>::bias + 1)
+                                    << IeeeFormat<Real>::fractionBits;
+  return (bitsOf(x) & exponent) != exponent;
+}
+/// Whether x is below 0, or -0.
+template <typename Real>
+inline bool hasSign(Real x) {
+  return bitsOf(x) >> (sizeof(Real) * 8 - 1);
+}
 
 inline float absOf(float x) { return __builtin_fabsf(x); }
 inline double absOf(double x) { return __builtin_fabs(x); }
@@ -144,6 +157,14 @@ inline anysl_number unitFromBits(uint32_t bits) {
 inline anysl_number signedUnitFromBits(uint32_t bits) {
   return anysl_number(int32_t(bits) >> 8) * anysl_number(0x1p-23);
 }
+
+/// The number that a host gets for x.
+inline float numberOf(float x) { return x; }
+inline double numberOf(double x) { return x; }
+
+/// Whether code with such numbers shades one point at a time only.
+template <typename Real>
+inline constexpr bool isScalarOnly = false;
 
 //===-- Derivatives ---------------------------------------------------------------------------===//
 // A plain number has none. <anysl/dual.h> has the same names for numbers that do.

@@ -77,6 +77,15 @@ extern "C" {
 #undef Number
 #undef Text
 
+//===-- What a real says of itself ------------------------------------------------------------===//
+
+/// The number format of a host's arrays.
+extern const AnyslReal anysl_real_format;
+/// Whether numbers carry their derivatives along.
+extern const bool anysl_real_has_derivatives;
+/// Whether code with this real shades one point at a time only.
+extern const bool anysl_real_is_scalar;
+
 //===-- Hooks ---------------------------------------------------------------------------------===//
 
 /// The shader. The linker puts it here.

@@ -139,7 +139,8 @@ bool bindShaders(Session &session) {
     shader.point->setLinkage(GlobalValue::ExternalLinkage);
     shader.init->setLinkage(GlobalValue::ExternalLinkage);
   }
-  for (StringRef name : {"anysl_runtime_layout", "anysl_type_float"})
+  for (StringRef name : {"anysl_runtime_layout", "anysl_type_float", "anysl_real_format",
+                         "anysl_real_has_derivatives"})
     kept.insert(module.getNamedValue(name));
   internalizeModule(module, [&](const GlobalValue &value) { return kept.contains(&value); });
   ModuleAnalysisManager analyses;

@@ -36,9 +36,7 @@ void addInput(Shader &shader, const stc::GlobalVariableInfo &global) {
 } // namespace
 
 bool carriesDerivatives(const Module &module) {
-  const GlobalVariable *number = module.getNamedGlobal("anysl_type_float");
-  auto *type = number ? dyn_cast<StructType>(number->getValueType()) : nullptr;
-  return type && type->getNumElements() > 1;
+  return constantOf(module, "anysl_real_has_derivatives").value_or(0);
 }
 
 void resolveDerivativeInputs(Session &session) {

@@ -33,14 +33,14 @@ public:
     SmallVector<Constant *> shaders;
     for (const Shader &shader : session.shaders)
       shaders.push_back(shaderInfo(shader));
-    Constant *info =
-        structure(sizeof(AnyslLibraryInfo),
-                  {u32(ANYSL_MAGIC), u32(ANYSL_ABI_VERSION), u32(sizeof(AnyslLibraryInfo)),
-                   layout(), real(), u32(ANYSL_GLOBAL_COUNT), u32(ANYSL_COMPONENT_COUNT),
-                   u32(sizeof(AnyslShadeArgs)), u32(sizeof(AnyslServices)),
-                   u32(unsigned(shaders.size())), array(shaders), text("AnySL " ANYSL_VERSION),
-                   text(session.options.runtime), text(session.real), text(session.options.math),
-                   text(session.target.getTargetCPU()), text(cpuFeatures(session.target))});
+    Constant *info = structure(
+        sizeof(AnyslLibraryInfo),
+        {u32(ANYSL_MAGIC), u32(ANYSL_ABI_VERSION), u32(sizeof(AnyslLibraryInfo)),
+         fact("anysl_runtime_layout"), fact("anysl_real_format"), u32(ANYSL_GLOBAL_COUNT),
+         u32(ANYSL_COMPONENT_COUNT), u32(sizeof(AnyslShadeArgs)), u32(sizeof(AnyslServices)),
+         u32(unsigned(shaders.size())), array(shaders), text("AnySL " ANYSL_VERSION),
+         text(session.options.runtime), text(session.real), text(session.options.math),
+         text(session.target.getTargetCPU()), text(cpuFeatures(session.target))});
     auto *library = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                        GlobalValue::ExternalLinkage, info, ANYSL_LIBRARY_SYMBOL);
     library->setAlignment(Align(8));
@@ -76,25 +76,13 @@ private:
                               ConstantArray::get(type, elements), "anysl.table");
   }
 
-  Constant *layout() {
-    auto *variable = module.getNamedGlobal("anysl_runtime_layout");
-    auto *value = variable && variable->hasInitializer()
-                      ? dyn_cast<ConstantInt>(variable->getInitializer())
-                      : nullptr;
-    if (!value || !value->getType()->isIntegerTy(32))
-      reportInternalError("runtime '" + session.options.runtime +
-                          "' does not define 'anysl_runtime_layout'");
-    return value;
-  }
-
-  /// The arrays' number format is that of a float; a real that carries more than a number (a value
-  /// with derivatives) starts with it.
-  Constant *real() {
-    auto *variable = module.getNamedGlobal("anysl_type_float");
-    Type *type = variable ? variable->getValueType() : nullptr;
-    while (type && (type->isStructTy() || type->isArrayTy()))
-      type = type->getContainedType(0);
-    return u32(type && type->isDoubleTy() ? ANYSL_REAL_DOUBLE : ANYSL_REAL_FLOAT);
+  /// What the runtime or the real says of itself; the linker has asked for it, so it is there.
+  Constant *fact(StringRef name) {
+    auto value = constantOf(module, name);
+    if (!value)
+      reportInternalError("runtime '" + session.options.runtime + "' with real '" + session.real +
+                          "' does not define '" + name + "'");
+    return u32(uint32_t(*value));
   }
 
   Constant *paramInfo(const stc::ParamInfo &param, bool fixed) {

@@ -12,6 +12,7 @@
 #include "llvm/ADT/StringSet.h"
 #include "llvm/ADT/StringSwitch.h"
 #include "llvm/Bitcode/BitcodeReader.h"
+#include "llvm/IR/Constants.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/MemoryBuffer.h"
 #include "llvm/Support/Path.h"
@@ -101,6 +102,7 @@ static StringRef withDerivatives(StringRef real) {
   return StringSwitch<StringRef>(real)
       .Case("float", "dual")
       .Case("double", "dualdouble")
+      .Case("mp", "dualmp")
       .Default("");
 }
 
@@ -113,6 +115,55 @@ bool openLayersWithDerivatives(Session &session) {
   session.report.real = session.real;
   session.layers.clear();
   return openLayers(session);
+}
+
+/// A real that shades one point at a time has no other width.
+static bool adaptWidths(Session &session, const Module &real) {
+  if (!constantOf(real, "anysl_real_is_scalar").value_or(0) || session.widths.back() == 1)
+    return true;
+  if (!session.options.widths.empty()) {
+    session.diags.error("real '" + session.real +
+                        "' shades one point at a time: there is no width " +
+                        Twine(session.widths.back()) + " (link it with --width 1)");
+    return false;
+  }
+  session.widths = {1};
+  return true;
+}
+
+/// Gives a real as many bits as the options ask for.
+static bool adaptPrecision(Session &session, Module &real) {
+  unsigned bits = session.options.precision;
+  auto *precision = real.getNamedGlobal("anysl_real_precision");
+  if (bits && !precision) {
+    session.diags.error("real '" + session.real + "' has one precision only");
+    return false;
+  }
+  if (!precision)
+    return true;
+  constexpr unsigned least = 53; // what double has, which a host's numbers are given in
+  auto most = constantOf(real, "anysl_real_precision_limit").value_or(least);
+  if (bits && (bits < least || bits > most)) {
+    session.diags.error("real '" + session.real + "' has from " + Twine(least) + " to " +
+                        Twine(most) + " bits, not " + Twine(bits));
+    return false;
+  }
+  if (bits)
+    precision->setInitializer(ConstantInt::get(precision->getValueType(), bits));
+  precision->setLinkage(GlobalValue::ExternalLinkage);
+  return true;
+}
+
+static bool adaptToReal(Session &session, Module &real) {
+  return adaptWidths(session, real) && adaptPrecision(session, real);
+}
+
+std::optional<uint64_t> constantOf(const Module &module, StringRef name) {
+  const GlobalVariable *variable = module.getNamedGlobal(name);
+  if (!variable || !variable->hasInitializer())
+    return std::nullopt;
+  auto *value = dyn_cast<ConstantInt>(variable->getInitializer());
+  return value ? std::optional<uint64_t>(value->getZExtValue()) : std::nullopt;
 }
 
 bool openLayers(Session &session) {
@@ -134,6 +185,7 @@ bool openLayers(Session &session) {
   return openLayer(session, "the shading library", folder + "/" + shadelibName) &&
          openLayer(session, "real '" + session.real + "'",
                    folder + "/real/" + session.real + ".bc") &&
+         adaptToReal(session, *session.layers.back().module) &&
          openLayer(session, "runtime '" + options.runtime + "'",
                    folder + "/runtime/" + options.runtime + "." + session.real + ".bc") &&
          openLayer(session, "math tier '" + options.math + "'",

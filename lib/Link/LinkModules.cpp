@@ -52,8 +52,9 @@ public:
   /// Follows everything from the shaders and the runtime on; reads what it meets.
   bool follow() {
     prepareShaders();
-    for (StringRef name : {"anysl_runtime_shade_point", "anysl_runtime_init",
-                           "anysl_runtime_layout", "anysl_type_float"})
+    for (StringRef name :
+         {"anysl_runtime_shade_point", "anysl_runtime_init", "anysl_runtime_layout",
+          "anysl_type_float", "anysl_real_format", "anysl_real_has_derivatives"})
       request(name, {});
     for (Shader &shader : session.shaders)
       for (Function *function : {shader.info.body, shader.info.init})

@@ -33,6 +33,8 @@ struct LinkOptions {
   std::string runtime = "packet";
   std::string real = "float";
   std::string math = "u10";
+  /// How many bits a real of chosen precision (mp) has; 0: what it has by itself.
+  unsigned precision = 0;
   /// How many points at once: 1, 4, 8, 16. Empty: one, and what suits the processor best.
   std::vector<unsigned> widths;
   /// Parameters to become constants, as the command line has them: "shader.name=v,v,v", "name=v".

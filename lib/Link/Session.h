@@ -97,7 +97,10 @@ bool openLayers(Session &session);
 /// nothing, if the real has no such partner or the runtime does not work with it.
 bool openLayersWithDerivatives(Session &session);
 
-/// Whether a module's real has more than a value.
+/// What a layer says of itself in a constant of that name; nothing if there is none.
+std::optional<uint64_t> constantOf(const llvm::Module &module, llvm::StringRef name);
+
+/// Whether a module's real carries derivatives.
 bool carriesDerivatives(const llvm::Module &module);
 
 /// Lets 0 x be 0 and 0 + x be x in the arithmetic of derivatives, which <anysl/dual.h> has marked,

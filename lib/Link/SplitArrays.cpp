@@ -195,8 +195,10 @@ private:
 
 bool splitArrays(Module &module) {
   const DataLayout &layout = module.getDataLayout();
-  Number number(*cast<StructType>(module.getNamedGlobal("anysl_type_float")->getValueType()),
-                layout);
+  auto &type = *cast<StructType>(module.getNamedGlobal("anysl_type_float")->getValueType());
+  if (!type.getElementType(0)->isFloatingPointTy())
+    return false; // numbers that never become registers
+  Number number(type, layout);
   SmallVector<AllocaInst *> arrays;
   for (Function &function : module)
     for (Instruction &instruction : instructions(function))

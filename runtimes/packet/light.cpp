@@ -89,9 +89,9 @@ WIDE_FORM(16, uint16_t)
 void anysl::askLight(anysl_context *context, int32_t index, const anysl_point &P,
                      const anysl_normal &N, anysl_vector &L, anysl_color &Cl, anysl_color &Ol) {
   float lx, ly, lz, r, g, b, opaqueR, opaqueG, opaqueB;
-  packet_light(context->args, context->point, uint32_t(index), valueOf(P.x), valueOf(P.y),
-               valueOf(P.z), valueOf(N.x), valueOf(N.y), valueOf(N.z), &lx, &ly, &lz, &r, &g, &b,
-               &opaqueR, &opaqueG, &opaqueB);
+  packet_light(context->args, context->point, uint32_t(index), numberOf(P.x), numberOf(P.y),
+               numberOf(P.z), numberOf(N.x), numberOf(N.y), numberOf(N.z), &lx, &ly, &lz, &r, &g,
+               &b, &opaqueR, &opaqueG, &opaqueB);
   L = {lx, ly, lz};
   Cl = {r, g, b};
   Ol = {opaqueR, opaqueG, opaqueB};

@@ -161,21 +161,22 @@ WIDE_FORMS(16, uint16_t)
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
   float r, g, b;
-  packet_trace(context->args, context->point, valueOf(P->x), valueOf(P->y), valueOf(P->z),
-               valueOf(R->x), valueOf(R->y), valueOf(R->z), &r, &g, &b);
+  packet_trace(context->args, context->point, numberOf(P->x), numberOf(P->y), numberOf(P->z),
+               numberOf(R->x), numberOf(R->y), numberOf(R->z), &r, &g, &b);
   *result = {r, g, b};
 }
 
 void anysl_trace_float(anysl_float *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
-  *result = packet_trace_distance(context->args, context->point, valueOf(P->x), valueOf(P->y),
-                                  valueOf(P->z), valueOf(R->x), valueOf(R->y), valueOf(R->z));
+  *result = packet_trace_distance(context->args, context->point, numberOf(P->x), numberOf(P->y),
+                                  numberOf(P->z), numberOf(R->x), numberOf(R->y), numberOf(R->z));
 }
 
 void anysl_transmission(anysl_color *result, anysl_context *context, const anysl_point *from,
                         const anysl_point *to) {
   float r, g, b;
-  packet_transmission(context->args, context->point, valueOf(from->x), valueOf(from->y),
-                      valueOf(from->z), valueOf(to->x), valueOf(to->y), valueOf(to->z), &r, &g, &b);
+  packet_transmission(context->args, context->point, numberOf(from->x), numberOf(from->y),
+                      numberOf(from->z), numberOf(to->x), numberOf(to->y), numberOf(to->z), &r, &g,
+                      &b);
   *result = {r, g, b};
 }

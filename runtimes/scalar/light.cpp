@@ -29,9 +29,9 @@ scalarLight(const AnyslShadeArgs *args, uint32_t point, uint32_t light, anysl_nu
 void anysl::askLight(anysl_context *context, int32_t index, const anysl_point &P,
                      const anysl_normal &N, anysl_vector &L, anysl_color &Cl, anysl_color &Ol) {
   anysl_number l[3], c[3], o[3];
-  scalarLight(context->args, context->point, uint32_t(index), valueOf(P.x), valueOf(P.y),
-              valueOf(P.z), valueOf(N.x), valueOf(N.y), valueOf(N.z), &l[0], &l[1], &l[2], &c[0],
-              &c[1], &c[2], &o[0], &o[1], &o[2]);
+  scalarLight(context->args, context->point, uint32_t(index), numberOf(P.x), numberOf(P.y),
+              numberOf(P.z), numberOf(N.x), numberOf(N.y), numberOf(N.z), &l[0], &l[1], &l[2],
+              &c[0], &c[1], &c[2], &o[0], &o[1], &o[2]);
   L = {l[0], l[1], l[2]};
   Cl = {c[0], c[1], c[2]};
   Ol = {o[0], o[1], o[2]};

@@ -39,9 +39,11 @@ __attribute__((noinline)) void scalarTransmission(const AnyslShadeArgs *args, ui
   *r = anysl_number(color[0]), *g = anysl_number(color[1]), *b = anysl_number(color[2]);
 }
 
-__attribute__((noinline)) anysl_number
-scalarTraceDistance(const AnyslShadeArgs *args, uint32_t point, anysl_number px, anysl_number py,
-                    anysl_number pz, anysl_number rx, anysl_number ry, anysl_number rz) {
+__attribute__((noinline)) anysl_number scalarTraceDistance(const AnyslShadeArgs *args,
+                                                           uint32_t point, anysl_number px,
+                                                           anysl_number py, anysl_number pz,
+                                                           anysl_number rx, anysl_number ry,
+                                                           anysl_number rz) {
   double P[3] = {px, py, pz}, R[3] = {rx, ry, rz};
   return anysl_number(args->services->trace_distance
                           ? args->services->trace_distance(args->renderer, args, point, P, R)
@@ -53,21 +55,22 @@ scalarTraceDistance(const AnyslShadeArgs *args, uint32_t point, anysl_number px,
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
   anysl_number r, g, b;
-  scalarTrace(context->args, context->point, valueOf(P->x), valueOf(P->y), valueOf(P->z),
-              valueOf(R->x), valueOf(R->y), valueOf(R->z), &r, &g, &b);
+  scalarTrace(context->args, context->point, numberOf(P->x), numberOf(P->y), numberOf(P->z),
+              numberOf(R->x), numberOf(R->y), numberOf(R->z), &r, &g, &b);
   *result = {r, g, b};
 }
 
 void anysl_trace_float(anysl_float *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
-  *result = scalarTraceDistance(context->args, context->point, valueOf(P->x), valueOf(P->y),
-                                valueOf(P->z), valueOf(R->x), valueOf(R->y), valueOf(R->z));
+  *result = scalarTraceDistance(context->args, context->point, numberOf(P->x), numberOf(P->y),
+                                numberOf(P->z), numberOf(R->x), numberOf(R->y), numberOf(R->z));
 }
 
 void anysl_transmission(anysl_color *result, anysl_context *context, const anysl_point *from,
                         const anysl_point *to) {
   anysl_number r, g, b;
-  scalarTransmission(context->args, context->point, valueOf(from->x), valueOf(from->y),
-                     valueOf(from->z), valueOf(to->x), valueOf(to->y), valueOf(to->z), &r, &g, &b);
+  scalarTransmission(context->args, context->point, numberOf(from->x), numberOf(from->y),
+                     numberOf(from->z), numberOf(to->x), numberOf(to->y), numberOf(to->z), &r, &g,
+                     &b);
   *result = {r, g, b};
 }

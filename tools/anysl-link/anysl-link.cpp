@@ -39,6 +39,8 @@ cl::opt<std::string> real("real", cl::desc("What a float is (default: float)"), 
                           cl::value_desc("NAME"), cl::cat(category));
 cl::opt<std::string> math("math", cl::desc("How exact mathematics is (default: u10, within 1 ULP)"),
                           cl::init("u10"), cl::value_desc("TIER"), cl::cat(category));
+cl::opt<unsigned> precision("precision", cl::desc("How many bits the real mp has (default: 200)"),
+                            cl::value_desc("BITS"), cl::cat(category));
 cl::opt<std::string> width("width",
                            cl::desc("Points at once: of 1,4,8,16, or native: one, and what "
                                     "suits the processor (default)"),
@@ -128,6 +130,7 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.runtime = runtime;
   options.real = real;
   options.math = math;
+  options.precision = precision;
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;

@@ -43,9 +43,9 @@ inline bool findHit(const anysl_context *context, uint32_t shades, float px, flo
 inline bool findHit(const anysl_context *context, uint32_t shades, const anysl_point &P,
                     const anysl_vector &R, const anysl_float &reach, anysl_float &distance,
                     anysl_normal &N, anysl_normal &Ng, anysl_color &color, anysl_color &opacity) {
-  return findHit(context, shades, float(valueOf(P.x)), float(valueOf(P.y)), float(valueOf(P.z)),
-                 float(valueOf(R.x)), float(valueOf(R.y)), float(valueOf(R.z)),
-                 float(valueOf(reach)), distance, N, Ng, color, opacity);
+  return findHit(context, shades, float(numberOf(P.x)), float(numberOf(P.y)), float(numberOf(P.z)),
+                 float(numberOf(R.x)), float(numberOf(R.y)), float(numberOf(R.z)),
+                 float(numberOf(reach)), distance, N, Ng, color, opacity);
 }
 
 } // namespace anysl

@@ -63,19 +63,19 @@ void anysl_load_global_vector(anysl_vector *result, anysl_context *context, uint
 }
 
 void anysl_store_global_float(anysl_context *context, uint32_t id, const anysl_float *a) {
-  globalNumber(context, id, 0) = valueOf(*a);
+  globalNumber(context, id, 0) = numberOf(*a);
 }
 
 void anysl_store_global_color(anysl_context *context, uint32_t id, const anysl_color *a) {
-  globalNumber(context, id, 0) = valueOf(a->r);
-  globalNumber(context, id, 1) = valueOf(a->g);
-  globalNumber(context, id, 2) = valueOf(a->b);
+  globalNumber(context, id, 0) = numberOf(a->r);
+  globalNumber(context, id, 1) = numberOf(a->g);
+  globalNumber(context, id, 2) = numberOf(a->b);
 }
 
 void anysl_store_global_vector(anysl_context *context, uint32_t id, const anysl_vector *a) {
-  globalNumber(context, id, 0) = valueOf(a->x);
-  globalNumber(context, id, 1) = valueOf(a->y);
-  globalNumber(context, id, 2) = valueOf(a->z);
+  globalNumber(context, id, 0) = numberOf(a->x);
+  globalNumber(context, id, 1) = numberOf(a->y);
+  globalNumber(context, id, 2) = numberOf(a->z);
 }
 
 //===-- Parameters ----------------------------------------------------------------------------===//
@@ -106,32 +106,32 @@ void anysl_load_varying_matrix(anysl_matrix *result, anysl_context *context, uin
 void anysl_store_varying_float(anysl_context *context, uint32_t id, uint32_t element,
                                const anysl_float *a) {
   if (isWanted(context, id))
-    varying<1>(context, id, element, 0) = valueOf(*a);
+    varying<1>(context, id, element, 0) = numberOf(*a);
 }
 
 void anysl_store_varying_color(anysl_context *context, uint32_t id, uint32_t element,
                                const anysl_color *a) {
   if (!isWanted(context, id))
     return;
-  varying<3>(context, id, element, 0) = valueOf(a->r);
-  varying<3>(context, id, element, 1) = valueOf(a->g);
-  varying<3>(context, id, element, 2) = valueOf(a->b);
+  varying<3>(context, id, element, 0) = numberOf(a->r);
+  varying<3>(context, id, element, 1) = numberOf(a->g);
+  varying<3>(context, id, element, 2) = numberOf(a->b);
 }
 
 void anysl_store_varying_vector(anysl_context *context, uint32_t id, uint32_t element,
                                 const anysl_vector *a) {
   if (!isWanted(context, id))
     return;
-  varying<3>(context, id, element, 0) = valueOf(a->x);
-  varying<3>(context, id, element, 1) = valueOf(a->y);
-  varying<3>(context, id, element, 2) = valueOf(a->z);
+  varying<3>(context, id, element, 0) = numberOf(a->x);
+  varying<3>(context, id, element, 1) = numberOf(a->y);
+  varying<3>(context, id, element, 2) = numberOf(a->z);
 }
 
 void anysl_store_varying_matrix(anysl_context *context, uint32_t id, uint32_t element,
                                 const anysl_matrix *a) {
   if (isWanted(context, id))
     anysl::repeat<16>(
-        [&](auto k) { varying<16>(context, id, element, k) = valueOf(a->m[k / 4][k % 4]); });
+        [&](auto k) { varying<16>(context, id, element, k) = numberOf(a->m[k / 4][k % 4]); });
 }
 
 /// Texts lie alike in every layout.

@@ -42,9 +42,9 @@ template <typename Take>
 inline bool lightValue(anysl_context *context, int32_t index, const anysl_point *P,
                        const anysl_normal *N, const char *name, uint32_t type, AnyslCell *cells,
                        Take &&take) {
-  if (!askLightValue(context->args, context->point, uint32_t(index), double(valueOf(P->x)),
-                     double(valueOf(P->y)), double(valueOf(P->z)), double(valueOf(N->x)),
-                     double(valueOf(N->y)), double(valueOf(N->z)), name, type, cells))
+  if (!askLightValue(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
+                     double(numberOf(P->y)), double(numberOf(P->z)), double(numberOf(N->x)),
+                     double(numberOf(N->y)), double(numberOf(N->z)), name, type, cells))
     return false;
   take();
   return true;
@@ -62,9 +62,9 @@ inline bool lightFlag(anysl_context *context, int32_t index, const anysl_point *
   uint32_t flags = context->args->lights[index].flags;
   if (!(flags & ANYSL_LIGHT_COMPUTES_FLAGS))
     return flags & flag;
-  return askLightFlag(context->args, context->point, uint32_t(index), double(valueOf(P->x)),
-                      double(valueOf(P->y)), double(valueOf(P->z)), double(valueOf(N->x)),
-                      double(valueOf(N->y)), double(valueOf(N->z)), name);
+  return askLightFlag(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
+                      double(numberOf(P->y)), double(numberOf(P->z)), double(numberOf(N->x)),
+                      double(numberOf(N->y)), double(numberOf(N->z)), name);
 }
 
 //===-- Categories ----------------------------------------------------------------------------===//
@@ -150,7 +150,7 @@ bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point
       return false;
     askLight(context, index, *P, *N, *L, *Cl, *Ol);
     *Cl = *Cl * colorFrom(light.color);
-    return int(valueOf(L->x) != 0) | int(valueOf(L->y) != 0) | int(valueOf(L->z) != 0);
+    return int(numberOf(L->x) != 0) | int(numberOf(L->y) != 0) | int(numberOf(L->z) != 0);
   }
   anysl_vector direction = vectorFrom(light.direction);
   anysl_vector toLight = vectorFrom(light.from) - *P;

@@ -17,7 +17,7 @@ inline anysl_float loadCell(const anysl_context *context, uint32_t cell) {
 }
 
 inline void storeCell(const anysl_context *context, uint32_t cell, const anysl_float &x) {
-  context->args->params[cell].number = double(valueOf(x));
+  context->args->params[cell].number = double(numberOf(x));
 }
 
 } // namespace anysl

@@ -34,7 +34,7 @@ struct TextureOptions {
   float channel, fill, bias, samples;
 };
 
-inline float plain(const anysl_float &x) { return float(valueOf(x)); }
+inline float plain(const anysl_float &x) { return float(numberOf(x)); }
 
 /// How far a coordinate goes in one step of u (of v).
 inline float stepByU(const anysl_float &x, const anysl_float &du) {

@@ -16,13 +16,10 @@ using namespace anysl;
 
 namespace {
 
-/// 0 for what is infinite or NaN. The bits are compared, because arithmetic of derivatives may
-/// suppose that there is no NaN.
-anysl_number finite(anysl_number x) {
-  using Bits = BitsOf<anysl_number>;
-  constexpr Bits exponent = Bits(2 * IeeeFormat<anysl_number>::bias + 1)
-                            << IeeeFormat<anysl_number>::fractionBits;
-  return (bitsOf(x) & exponent) == exponent ? 0 : x;
+/// 0 for what is infinite or NaN.
+template <typename T>
+T finite(T x) {
+  return isFinite(x) ? x : T(0);
 }
 
 constexpr auto byU = [](const anysl_float &x) { return anysl_float(finite(derivativeU(x))); };

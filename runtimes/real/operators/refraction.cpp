@@ -21,37 +21,39 @@ using namespace anysl;
 
 namespace {
 
+/// A number without derivatives.
+using Value = decltype(valueOf(anysl_float()));
+
 /// high + low += x, with what the sum rounds away going into low.
-void accumulate(anysl_number &high, anysl_number &low, anysl_number x) {
-  anysl_number sum = high + x;
-  anysl_number part = sum - high;
+void accumulate(Value &high, Value &low, Value x) {
+  Value sum = high + x;
+  Value part = sum - high;
   low = low + ((high - (sum - part)) + (x - part));
   high = sum;
 }
 
 /// high + low += a b.
-void accumulateProduct(anysl_number &high, anysl_number &low, anysl_number a, anysl_number b) {
-  anysl_number product = a * b;
+void accumulateProduct(Value &high, Value &low, Value a, Value b) {
+  Value product = a * b;
   accumulate(high, low, product);
   low = low + fusedMultiplyAdd(a, b, -product);
 }
 
 /// The values of c = I.N, and of k.
-void boundaryValues(const anysl_vector &I, const anysl_vector &N, anysl_number eta, anysl_number &c,
-                    anysl_number &k) {
-  anysl_number cLow(0);
-  c = anysl_number(0);
+void boundaryValues(const anysl_vector &I, const anysl_vector &N, Value eta, Value &c, Value &k) {
+  Value cLow(0);
+  c = Value(0);
   accumulateProduct(c, cLow, valueOf(I.x), valueOf(N.x));
   accumulateProduct(c, cLow, valueOf(I.y), valueOf(N.y));
   accumulateProduct(c, cLow, valueOf(I.z), valueOf(N.z));
   // Where the products cancel, the carried error is no longer small beside their sum.
-  anysl_number sum = c + cLow;
+  Value sum = c + cLow;
   cLow = cLow - (sum - c);
   c = sum;
 
-  anysl_number t = eta * c, tLow = fusedMultiplyAdd(eta, c, -t) + eta * cLow;
-  anysl_number kLow(0);
-  k = anysl_number(1);
+  Value t = eta * c, tLow = fusedMultiplyAdd(eta, c, -t) + eta * cLow;
+  Value kLow(0);
+  k = Value(1);
   accumulateProduct(k, kLow, -eta, eta);
   accumulateProduct(k, kLow, t, t);
   k = k + (kLow + 2 * t * tLow);
@@ -61,7 +63,7 @@ void boundaryValues(const anysl_vector &I, const anysl_vector &N, anysl_number e
 /// same.
 void boundary(const anysl_vector &I, const anysl_vector &N, const anysl_float &eta, anysl_float &c,
               anysl_float &k) {
-  anysl_number cValue, kValue;
+  Value cValue, kValue;
   boundaryValues(I, N, valueOf(eta), cValue, kValue);
   // Derivatives are as exact by the plain formula.
   c = withValue(cValue, dot(I, N));

@@ -13,8 +13,8 @@ The shader's comments say what to do:
 
 An option `--print NAME` adds to PRINT.
 
-Within a runtime and real, all widths give the same bits. Between runtimes, and between float and double, numbers
-agree to 1e-5; so do expected ones, and to 1e-9 in double.
+Within a runtime and real, all widths give the same bits. Between runtimes, and between float, double and mp, numbers
+agree to 1e-5; so do expected ones, and to 1e-9 in double and mp.
 """
 import json
 import re
@@ -22,9 +22,9 @@ import shlex
 import subprocess
 import sys
 
-RUNTIMES = [("packet", "float"), ("scalar", "float"), ("scalar", "double")]
-WIDTHS = [1, 4, 8, 16]
-TOLERANCE = {"float": 1e-5, "double": 1e-9}
+RUNTIMES = [("packet", "float"), ("scalar", "float"), ("scalar", "double"), ("scalar", "mp")]
+WIDTHS = {"float": [1, 4, 8, 16], "double": [1, 4, 8, 16], "mp": [1]}
+TOLERANCE = {"float": 1e-5, "double": 1e-9, "mp": 1e-9}
 
 
 def run(*command):
@@ -77,9 +77,9 @@ for runtime, real in RUNTIMES:
         continue
     library = f"{prefix}.{runtime}.{real}.so"
     run("anysl-link", f"{prefix}.stc.bc", "-o", library, "--runtime", runtime, "--real", real,
-        "--width", ",".join(map(str, WIDTHS)), *parameters)
+        "--width", ",".join(map(str, WIDTHS[real])), *parameters)
     scalar = None
-    for width in WIDTHS:
+    for width in WIDTHS[real]:
         prints = [word for name in names for word in ("--print", name)]
         grid = json.loads(run("anysl-shade", library, "--width", str(width), "--json", *prints, *arguments))
         where = f"{runtime} {real} width {width}"

@@ -13,18 +13,18 @@ TEST_CASE("real arithmetic is IEEE's, but for division by nothing") {
   CHECK(call<anysl_sub_float>(3, Real(0.5)) == 2.5);
   CHECK(call<anysl_mul_float>(3, Real(0.5)) == 1.5);
   CHECK(call<anysl_div_float>(3, Real(0.5)) == 6);
-  CHECK(call<anysl_div_float>(1, 3) == Real(1) / Real(3));
+  CHECK(call<anysl_div_float>(1, 3) == near(1 / 3.0, 1));
 }
 
 TEST_CASE("a quotient of finite numbers by nothing, or next to nothing, is 0") {
-  Real denormal = std::numeric_limits<Real>::min() / 4;
+  Real denormal = Limits::min() / 4;
   for (Real a : {Real(0), Real(1), Real(-1), largest})
     for (Real b : {Real(0), Real(-0.0), denormal, -denormal}) {
       INFO(a << " / " << b);
       CHECK(call<anysl_div_float>(a, b) == 0);
     }
-  CHECK(std::isnan(call<anysl_div_float>(notANumber, 2)));
-  CHECK(std::isnan(call<anysl_div_float>(2, notANumber)));
+  CHECK(anysl::isNaN(call<anysl_div_float>(notANumber, 2)));
+  CHECK(anysl::isNaN(call<anysl_div_float>(2, notANumber)));
   checkColor(call<anysl_div_color>(anysl_color(1, 2, 3), anysl_color(0, 2, 0)), 0, 1, 0);
   checkVector(call<anysl_div_vector>(anysl_vector(1, 2, 3), anysl_vector(0, 2, 0)), 0, 1, 0);
 }

@@ -22,7 +22,7 @@ TEST_CASE("an array index is floored, and defined for every number") {
 
 TEST_CASE("elementary functions are the math tier's inside their domain") {
   const Real x = Real(0.7);
-  const double y = x;
+  const double y = plain(x);
   CHECK(call<anysl_abs>(Real(-0.7)) == x);
   CHECK(call<anysl_floor>(Real(-1.5)) == -2);
   CHECK(call<anysl_ceil>(Real(-1.5)) == -1);
@@ -57,17 +57,17 @@ TEST_CASE("outside its domain a function gives a finite number") {
   CHECK(call<anysl_inversesqrt>(0) == 0);
   CHECK(call<anysl_log>(0) == 0);
   CHECK(call<anysl_log>(Real(-0.0)) == 0);
-  CHECK(std::isfinite(call<anysl_log>(std::numeric_limits<Real>::denorm_min())));
+  CHECK(anysl::isFinite(call<anysl_log>(Limits::denorm_min())));
   CHECK(call<anysl_exp>(Real(1e6)) == largest);
-  CHECK(call<anysl_exp>(Real(-1e6)) == 0);
+  CHECK(plain(call<anysl_exp>(Real(-1e6))) == 0);
   Real above = 1 + spacing;
   CHECK(call<anysl_acos>(above) == 0);
   CHECK(call<anysl_acos>(-above) == near(std::acos(-1.0)));
   CHECK(call<anysl_asin>(above) == near(std::asin(1.0)));
   CHECK(call<anysl_asin>(-7) == near(std::asin(-1.0)));
-  CHECK(std::isnan(call<anysl_sqrt>(notANumber)));
-  CHECK(std::isnan(call<anysl_log>(notANumber)));
-  CHECK(std::isnan(call<anysl_acos>(notANumber)));
+  CHECK(anysl::isNaN(call<anysl_sqrt>(notANumber)));
+  CHECK(anysl::isNaN(call<anysl_log>(notANumber)));
+  CHECK(anysl::isNaN(call<anysl_acos>(notANumber)));
 }
 
 TEST_CASE("powers 0, 1 and 2 are exact, and a negative base has integer powers only") {
@@ -87,9 +87,9 @@ TEST_CASE("powers 0, 1 and 2 are exact, and a negative base has integer powers o
   CHECK(call<anysl_pow>(0, 3) == 0);
   CHECK(call<anysl_pow>(10, 5000) == largest);
   CHECK(call<anysl_pow>(-10, 5001) == -largest);
-  CHECK(std::isnan(call<anysl_pow>(notANumber, 3)));
-  CHECK(std::isnan(call<anysl_pow>(3, notANumber)));
-  CHECK(std::isnan(call<anysl_pow>(-3, notANumber)));
+  CHECK(anysl::isNaN(call<anysl_pow>(notANumber, 3)));
+  CHECK(anysl::isNaN(call<anysl_pow>(3, notANumber)));
+  CHECK(anysl::isNaN(call<anysl_pow>(-3, notANumber)));
 }
 
 TEST_CASE("mod has the sign of its second operand and stays below it") {
@@ -104,7 +104,7 @@ TEST_CASE("mod has the sign of its second operand and stays below it") {
   CHECK(call<anysl_mod>(0, 0) == 0);
   Real almost = call<anysl_mod>(Real(-1e-20), 1);
   CHECK(almost < 1);
-  CHECK(almost == std::nextafter(Real(1), Real(0)));
+  CHECK(plain(almost) == near(1, 1));
 }
 
 TEST_CASE("mod stays in range for every finite operand") {
@@ -118,12 +118,12 @@ TEST_CASE("mod stays in range for every finite operand") {
       FAIL("mod(" << a << ", " << b << ") = " << r);
     // While the quotient is small the result is the true one, rounded; next to 0 and b it may be
     // either.
-    if (std::abs(double(a) / b) < 1e4) {
-      long double exact = std::fmod((long double)a, (long double)b);
-      exact = exact < 0 ? exact + b : exact;
-      long double error = std::abs(exact - r);
-      error = std::min(error, std::abs(error - b));
-      if (b > std::numeric_limits<Real>::min() && error > b * spacing)
+    if (std::abs(plain(a) / plain(b)) < 1e4) {
+      long double exact = std::fmod((long double)plain(a), (long double)plain(b));
+      exact = exact < 0 ? exact + plain(b) : exact;
+      long double error = std::abs(exact - plain(r));
+      error = std::min(error, std::abs(error - plain(b)));
+      if (plain(b) > Limits::min() && error > plain(b) * spacing)
         FAIL("mod(" << a << ", " << b << ") = " << r << ", not " << double(exact));
     }
   }

@@ -52,11 +52,23 @@ auto call(const P &...operands) {
   return apply(use<Op>(), operands...);
 }
 
+/// A number as the C library's functions want it.
+inline double plain(const Real &x) { return double(anysl::numberOf(x)); }
+
 using Limits = std::numeric_limits<anysl_number>;
-inline constexpr anysl_number infinite = Limits::infinity();
-inline constexpr anysl_number notANumber = Limits::quiet_NaN();
-inline constexpr anysl_number largest = Limits::max();
+inline const Real infinite = Limits::infinity();
+inline const Real notANumber = Limits::quiet_NaN();
+inline const Real largest = Limits::max();
+/// Half of it is what one rounding may change a number near 1 by.
 inline constexpr anysl_number spacing = Limits::epsilon();
+
+namespace anysl {
+template <typename T>
+  requires(std::is_same_v<T, ::Real> && !std::is_arithmetic_v<T>)
+std::ostream &operator<<(std::ostream &out, const T &x) {
+  return out << plain(x);
+}
+} // namespace anysl
 
 /// `value` to within some units in the last place.
 inline Catch::Detail::Approx near(double value, double units = 8) {
