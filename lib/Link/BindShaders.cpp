@@ -21,6 +21,7 @@
 #include "llvm/Transforms/IPO/GlobalDCE.h"
 #include "llvm/Transforms/IPO/Internalize.h"
 #include "llvm/Transforms/Utils/Cloning.h"
+#include <anysl/notes.h>
 
 using namespace llvm;
 
@@ -140,7 +141,7 @@ bool bindShaders(Session &session) {
     shader.init->setLinkage(GlobalValue::ExternalLinkage);
   }
   for (StringRef name : {"anysl_runtime_layout", "anysl_type_float", "anysl_real_format",
-                         "anysl_real_has_derivatives"})
+                         "anysl_real_has_derivatives", ANYSL_NOTES_SYMBOL})
     kept.insert(module.getNamedValue(name));
   internalizeModule(module, [&](const GlobalValue &value) { return kept.contains(&value); });
   ModuleAnalysisManager analyses;

@@ -18,6 +18,7 @@
 #include "llvm/Target/TargetMachine.h"
 #include "llvm/Transforms/IPO/Internalize.h"
 #include <anysl/abi.h>
+#include <anysl/notes.h>
 
 using namespace llvm;
 
@@ -39,7 +40,7 @@ public:
          fact("anysl_runtime_layout"), fact("anysl_real_format"), u32(ANYSL_GLOBAL_COUNT),
          u32(ANYSL_COMPONENT_COUNT), u32(sizeof(AnyslShadeArgs)), u32(sizeof(AnyslServices)),
          u32(unsigned(shaders.size())), array(shaders), text("AnySL " ANYSL_VERSION),
-         text(session.options.runtime), text(session.real), text(session.options.math),
+         text(session.options.runtime), text(session.real), text(session.math.text()),
          text(session.target.getTargetCPU()), text(cpuFeatures(session.target))});
     auto *library = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                        GlobalValue::ExternalLinkage, info, ANYSL_LIBRARY_SYMBOL);
@@ -121,7 +122,7 @@ private:
 bool describe(Session &session) {
   Descriptor(session).build();
   internalizeModule(*session.module, [](const GlobalValue &value) {
-    return value.getName() == ANYSL_LIBRARY_SYMBOL;
+    return value.getName() == ANYSL_LIBRARY_SYMBOL || value.getName() == ANYSL_NOTES_SYMBOL;
   });
   return true;
 }

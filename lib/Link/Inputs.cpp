@@ -154,7 +154,20 @@ static bool adaptPrecision(Session &session, Module &real) {
   return true;
 }
 
+static bool openTiers(Session &session) {
+  std::vector<std::string> tiers = session.math.tiers();
+  for (const std::string &tier : tiers) {
+    if (!openLayer(session, "math tier '" + tier + "'",
+                   session.options.resourceDir + "/math/" + tier + ".bc"))
+      return false;
+    if (tiers.size() > 1)
+      separateTier(session, tier, *session.layers.back().module);
+  }
+  return true;
+}
+
 static bool adaptToReal(Session &session, Module &real) {
+  session.notesBounds = hasBounds(real);
   return adaptWidths(session, real) && adaptPrecision(session, real);
 }
 
@@ -175,8 +188,13 @@ bool openLayers(Session &session) {
     return unknownName(session, "runtime", options.runtime, runtimes);
   if (!is_contained(reals, session.real))
     return unknownName(session, "real", session.real, reals);
-  if (!is_contained(tiers, options.math))
-    return unknownName(session, "math tier", options.math, tiers);
+  session.math = {};
+  bool isRead = options.mathChoices.empty()
+                    ? readMathChoice(session.diags, options.math, "", tiers, session.math)
+                    : readMathChoiceFile(session.diags, options.mathChoices, tiers, session.math);
+  if (!isRead)
+    return false;
+  session.report.math = session.math.text();
   if (!is_contained(modulesIn(folder + "/runtime"), options.runtime + "." + session.real)) {
     session.diags.error("runtime '" + options.runtime + "' does not work with real '" +
                         session.real + "'");
@@ -188,8 +206,7 @@ bool openLayers(Session &session) {
          adaptToReal(session, *session.layers.back().module) &&
          openLayer(session, "runtime '" + options.runtime + "'",
                    folder + "/runtime/" + options.runtime + "." + session.real + ".bc") &&
-         openLayer(session, "math tier '" + options.math + "'",
-                   folder + "/math/" + options.math + ".bc");
+         openTiers(session);
 }
 
 bool readInputs(Session &session, ArrayRef<std::string> files) {

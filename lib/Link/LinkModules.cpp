@@ -56,6 +56,9 @@ public:
          {"anysl_runtime_shade_point", "anysl_runtime_init", "anysl_runtime_layout",
           "anysl_type_float", "anysl_real_format", "anysl_real_has_derivatives"})
       request(name, {});
+    for (const auto &names : {tierSymbols(session), noteSymbols(session)})
+      for (const std::string &name : names)
+        request(name, {});
     for (Shader &shader : session.shaders)
       for (Function *function : {shader.info.body, shader.info.init})
         requestValue(*function, {{}, shader.info.name, ""});

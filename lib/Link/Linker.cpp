@@ -71,7 +71,6 @@ std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, LLVMContext &cont
   Session session(diags, context, options, target);
   session.report.runtime = options.runtime;
   session.report.real = options.real;
-  session.report.math = options.math;
   session.report.cpu = target.getTargetCPU().str();
   session.widths = options.widths;
   if (session.widths.empty())
@@ -89,6 +88,10 @@ std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, LLVMContext &cont
       // Reads the bodies that the shaders reach and no others, which keeps linking fast however
       // much the libraries grow.
       run(session, "link", linkModules) &&
+      // While a call of an operator still has its place in the shader.
+      run(session, "tiers", chooseTiers) &&
+      // While operators still have names and their operands addresses.
+      run(session, "notes", addNotes) &&
       // Before inlining: the runtime's shade_point is copied once a shader.
       run(session, "bind", bindShaders) &&
       // After linking, because only the runtime knows the types.

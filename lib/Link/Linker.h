@@ -32,13 +32,18 @@ struct LinkOptions {
   std::string resourceDir;
   std::string runtime = "packet";
   std::string real = "float";
+  /// A tier, or tiers by function, or both: "u10", "sin=u35,pow=fast", "u35,sin=fast".
   std::string math = "u10";
+  /// A file of choices to use in place of `math` (MathChoice.h); empty: none.
+  std::string mathChoices;
   /// How many bits a real of chosen precision (mp) has; 0: what it has by itself.
   unsigned precision = 0;
   /// How many points at once: 1, 4, 8, 16. Empty: one, and what suits the processor best.
   std::vector<unsigned> widths;
   /// Parameters to become constants, as the command line has them: "shader.name=v,v,v", "name=v".
   std::vector<std::string> params;
+  /// Note where a number stops being finite (<anysl/notes.h>).
+  bool checkNaN = false;
   /// An operator of Neutral.def that nobody defines is an error, not its neutral value.
   bool declineIsError = false;
   /// The name of a stage of Stages.def after which to print the code to `dump` and stop; empty:

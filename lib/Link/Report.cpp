@@ -34,8 +34,21 @@ json::Value toJson(const WideningRemark &remark) {
   return object;
 }
 
+json::Value toJson(const MathCall &call) {
+  json::Object tiers;
+  for (const auto &[function, tier] : call.functions)
+    tiers[function] = tier;
+  return json::Object{{"file", call.position.file},
+                      {"line", call.position.line},
+                      {"column", call.position.column},
+                      {"op", call.op},
+                      {"tiers", std::move(tiers)}};
+}
+
 json::Value toJson(const ShaderReport &shader) {
-  json::Array remarks;
+  json::Array remarks, mathCalls;
+  for (const MathCall &call : shader.mathCalls)
+    mathCalls.push_back(toJson(call));
   for (const WideningRemark &remark : shader.remarks)
     remarks.push_back(toJson(remark));
   return json::Object{{"name", shader.name},
@@ -50,7 +63,8 @@ json::Value toJson(const ShaderReport &shader) {
                       {"globalsWritten", list(shader.globalsWritten)},
                       {"fixedParams", list(shader.fixedParams)},
                       {"widths", list(shader.widths)},
-                      {"fallbacks", std::move(remarks)}};
+                      {"fallbacks", std::move(remarks)},
+                      {"mathCalls", std::move(mathCalls)}};
 }
 
 } // namespace

@@ -30,6 +30,14 @@ struct WideningRemark {
   FilePosition position;
 };
 
+/// A place in a shader that computes elementary functions.
+struct MathCall {
+  FilePosition position;
+  std::string op; ///< the operator that is called there
+  /// Each function that it computes, and the tier of that.
+  std::vector<std::pair<std::string, std::string>> functions;
+};
+
 struct ShaderReport {
   std::string name;
   std::string kind;
@@ -43,6 +51,7 @@ struct ShaderReport {
   std::vector<std::string> ops, effects, services, globalsRead, globalsWritten, fixedParams;
   std::vector<unsigned> widths;
   std::vector<WideningRemark> remarks;
+  std::vector<MathCall> mathCalls;
 };
 
 struct Report {

@@ -9,6 +9,7 @@
 #define ANYSL_LIB_LINK_SESSION_H
 
 #include "lib/Link/Linker.h"
+#include "lib/Link/MathChoice.h"
 #include "lib/STC/Reader.h"
 #include "llvm/ADT/BitVector.h"
 #include "llvm/ADT/SetVector.h"
@@ -65,6 +66,10 @@ struct Session {
 
   /// The real that is linked: options.real, or that with derivatives if the shaders ask for them.
   std::string real;
+  /// Whether the real has bounds, which are noted.
+  bool notesBounds = false;
+  /// Which math tier computes what.
+  MathChoice math;
 
   /// Shaders' files; their modules are used up by `link`.
   std::vector<stc::StcModule> files;
@@ -99,6 +104,17 @@ bool openLayersWithDerivatives(Session &session);
 
 /// What a layer says of itself in a constant of that name; nothing if there is none.
 std::optional<uint64_t> constantOf(const llvm::Module &module, llvm::StringRef name);
+
+/// Renames the functions of a math tier of which another tier's are to be found by their names, and
+/// hides everything else of it.
+void separateTier(Session &session, llvm::StringRef tier, llvm::Module &module);
+/// The names of functions of tiers that single places in shaders ask for.
+std::vector<std::string> tierSymbols(const Session &session);
+
+/// What the stage `notes` needs of the runtime and the real; nothing where nothing is to be noted.
+std::vector<std::string> noteSymbols(const Session &session);
+/// Whether bounds are known of a real's numbers.
+bool hasBounds(const llvm::Module &real);
 
 /// Whether a module's real carries derivatives.
 bool carriesDerivatives(const llvm::Module &module);

@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include <anysl/standard/hooks.h>
+#include <anysl/standard/notes.h>
 #include <anysl/standard/params.h>
 #include <anysl/standard/queries.h>
 #include <anysl/standard/random.h>

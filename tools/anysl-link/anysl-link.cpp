@@ -37,8 +37,14 @@ cl::opt<std::string> runtime("runtime", cl::desc("The renderer's runtime (defaul
                              cl::init("packet"), cl::value_desc("NAME"), cl::cat(category));
 cl::opt<std::string> real("real", cl::desc("What a float is (default: float)"), cl::init("float"),
                           cl::value_desc("NAME"), cl::cat(category));
-cl::opt<std::string> math("math", cl::desc("How exact mathematics is (default: u10, within 1 ULP)"),
+cl::opt<std::string> math("math",
+                          cl::desc("How exact mathematics is: a tier, tiers by function, or both, "
+                                   "as in u10,sin=fast (default: u10, within 1 ULP)"),
                           cl::init("u10"), cl::value_desc("TIER"), cl::cat(category));
+cl::opt<std::string> mathChoices("math-choices",
+                                 cl::desc("Read from FILE (JSON) what --math says, and tiers for "
+                                          "single places in shaders"),
+                                 cl::value_desc("FILE"), cl::cat(category));
 cl::opt<unsigned> precision("precision", cl::desc("How many bits the real mp has (default: 200)"),
                             cl::value_desc("BITS"), cl::cat(category));
 cl::opt<std::string> width("width",
@@ -59,6 +65,8 @@ cl::opt<std::string> decline("decline",
                                       "with a warning; default) or error"),
                              cl::init("neutral"), cl::value_desc("neutral|error"),
                              cl::cat(category));
+cl::opt<bool> checkNaN("check-nan", cl::desc("Let the host know where a number stops being finite"),
+                       cl::cat(category));
 cl::opt<std::string> reportFile("report", cl::desc("Write what was done to FILE as JSON"),
                                 cl::value_desc("FILE"), cl::cat(category));
 cl::opt<bool> timeStages("time-stages", cl::desc("Print how long each stage took"),
@@ -130,7 +138,13 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.runtime = runtime;
   options.real = real;
   options.math = math;
+  options.mathChoices = mathChoices;
+  if (!mathChoices.empty() && math.getNumOccurrences()) {
+    diags.error("--math-choices says what --math does; give one of them");
+    return false;
+  }
   options.precision = precision;
+  options.checkNaN = checkNaN;
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;

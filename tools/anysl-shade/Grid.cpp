@@ -7,6 +7,7 @@
 
 #include "tools/anysl-shade/Grid.h"
 #include <algorithm>
+#include <cstdio>
 
 namespace anysl::shade {
 namespace {
@@ -25,6 +26,7 @@ double step(size_t n) { return n > 1 ? 1 / double(n - 1) : 1; }
 
 Grid::Grid(const Options &given)
     : options(given), services(environmentServices()), library(openLibrary(given.library)),
+      notes(anysl_note_log_create(library.get())),
       shaderInstance(makeInstance(library.get(), given.shader ? &*given.shader : nullptr, services,
                                   options.environment)),
       lights(given.lights, services, options.environment) {
@@ -227,7 +229,8 @@ void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
 
 BatchHandle Grid::makeBatch(size_t first, uint32_t count) const {
   AnyslBatch *created = nullptr;
-  check(anysl_batch_create(instance(), count, printedGlobals | lights.globals() | coshaderGlobals, &created));
+  check(anysl_batch_create(instance(), count, printedGlobals | lights.globals() | coshaderGlobals,
+                           &created));
   BatchHandle batch(created);
   lights.shineOn(created);
   for (const Result &result : wanted)
@@ -244,6 +247,19 @@ void Grid::readTexts(const AnyslBatch *batch, size_t first, uint32_t count, Resu
   std::copy(texts.begin(), texts.end(), result.texts.begin() + first * result.perPoint());
 }
 
+void Grid::printNotes() const {
+  uint64_t count;
+  for (size_t i = 0; notes; ++i) {
+    const char *text = anysl_note_log_entry(notes.get(), i, &count);
+    if (!text)
+      break;
+    std::fprintf(stderr, "%s", text);
+    if (count > 1)
+      std::fprintf(stderr, ", and %llu more", static_cast<unsigned long long>(count - 1));
+    std::fputc('\n', stderr);
+  }
+}
+
 std::vector<Result> Grid::shade() const {
   std::vector<Result> results = wanted;
   for (Result &result : results)
@@ -254,6 +270,8 @@ std::vector<Result> Grid::shade() const {
   for (size_t first = 0; first < pointCount(); first += pointsAtOnce) {
     auto count = uint32_t(std::min<size_t>(pointsAtOnce, pointCount() - first));
     BatchHandle batch = makeBatch(first, count);
+    if (notes)
+      anysl_note_log_count_from(notes.get(), first);
     check(anysl_shade(instance(), batch.get(), 0, count, options.width));
     for (Result &result : results) {
       if (result.isText) {

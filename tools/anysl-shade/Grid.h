@@ -35,6 +35,9 @@ public:
   /// Shades every point, a few thousand at a time.
   std::vector<Result> shade() const;
 
+  /// Prints what the shader's library has noted while shading, each place once.
+  void printNotes() const;
+
   /// A batch that holds points [first, first + count), counted row by row.
   BatchHandle makeBatch(size_t first, uint32_t count) const;
   /// Puts the inputs of these points into a batch.
@@ -66,6 +69,7 @@ private:
   Options options;
   AnyslServices services;
   LibraryHandle library;
+  NoteLogHandle notes; ///< null: the library notes nothing
   InstanceHandle shaderInstance;
   Lights lights;
   std::vector<LibraryHandle> coshaderLibraries;

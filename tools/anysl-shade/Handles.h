@@ -11,6 +11,7 @@
 
 #include "tools/anysl-shade/Options.h"
 #include <anysl/anysl.h>
+#include <anysl/notes.h>
 #include <memory>
 
 namespace anysl::shade {
@@ -24,6 +25,7 @@ struct Free {
 };
 using LibraryHandle = std::unique_ptr<AnyslLibrary, Free<anysl_library_close>>;
 using InstanceHandle = std::unique_ptr<AnyslInstance, Free<anysl_instance_free>>;
+using NoteLogHandle = std::unique_ptr<AnyslNoteLog, Free<anysl_note_log_free>>;
 using BatchHandle = std::unique_ptr<AnyslBatch, Free<anysl_batch_free>>;
 
 /// Throws what the loader says as a UserError.

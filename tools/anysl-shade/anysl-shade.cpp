@@ -19,6 +19,7 @@ static void run(const Options &options) {
   if (options.bench && options.image.empty())
     return;
   std::vector<Result> results = grid.shade();
+  grid.printNotes();
   if (!options.image.empty())
     writeImage(options, results);
   if (options.bench || !print)

@@ -1,0 +1,273 @@
+//===-- lib/Link/Notes.cpp - code that tells a host what happens to numbers ---------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Behind operators that a shader calls goes code that looks at operands and results and calls
+// anysl_note of the runtime (<anysl/notes.h>). It looks at values through functions of the real
+// (runtimes/real/operators/notes.cpp), so that it need not know what a number is. While nothing is
+// to be noted this stage does nothing.
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Link/Session.h"
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/IR/IRBuilder.h"
+#include "llvm/IR/InstIterator.h"
+#include "llvm/IR/Instructions.h"
+#include "llvm/Transforms/Utils/BasicBlockUtils.h"
+#include <anysl/notes.h>
+
+using namespace llvm;
+
+namespace anysl::link {
+namespace {
+
+constexpr StringLiteral noteName = "anysl_note", undecidedPrefix = "anysl_is_undecided_",
+                        lowName = "anysl_low_of_float";
+
+bool isNumeric(const stc::OpParam &param) {
+  return param.isValue() && param.type != stc::Type::stringTy;
+}
+bool isWritten(const stc::OpParam &param) { return param.kind != stc::ParamKind::In; }
+bool isRead(const stc::OpParam &param) { return param.kind != stc::ParamKind::Out; }
+
+/// The name under which the real has functions of a type: points and normals are vectors.
+StringRef valueType(stc::Type type) {
+  bool isTriple = type == stc::Type::pointTy || type == stc::Type::normalTy;
+  return isTriple ? info(stc::Type::vectorTy).name : info(type).name;
+}
+
+/// Puts notes into one function.
+class Noter {
+public:
+  Noter(Session &session, const Shader &shader, Function &function, Value *context)
+      : session(session), shader(shader), context(context), builder(session.context),
+        type(StructType::get(session.context,
+                             {builder.getInt32Ty(), builder.getInt32Ty(), builder.getInt32Ty(),
+                              builder.getInt32Ty(), builder.getInt32Ty(), builder.getInt32Ty(),
+                              builder.getPtrTy(), builder.getPtrTy(), builder.getPtrTy()})) {
+    for (Instruction &instruction : instructions(function))
+      if (auto *call = dyn_cast<CallInst>(&instruction))
+        if (Function *callee = call->getCalledFunction())
+          if (const stc::OpInfo *op = stc::opOfSymbol(callee->getName()))
+            calls.push_back({call, op});
+  }
+
+  void run() {
+    for (auto [call, op] : calls) {
+      if (session.options.checkNaN)
+        noteNotFinite(*call, *op);
+      if (session.notesBounds) {
+        noteUndecided(*call, *op);
+        noteBounds(*call, *op);
+      }
+    }
+  }
+
+private:
+  using Values = SmallVector<Value *, 16>;
+
+  CallInst *callReal(const Twine &name, ArrayRef<Value *> operands) {
+    return builder.CreateCall(session.module->getFunction(name.str()), operands);
+  }
+
+  /// Appends the numbers of an operand.
+  void addNumbers(Values &numbers, StringRef function, const stc::OpParam &param, Value *operand) {
+    for (unsigned i = 0; i < info(param.type).components; ++i)
+      numbers.push_back(callReal("anysl_" + function + "_of_" + valueType(param.type),
+                                 {operand, builder.getInt32(i)}));
+  }
+
+  Value *isFinite(const stc::OpParam &param, Value *operand) {
+    return callReal("anysl_is_finite_" + valueType(param.type), {operand});
+  }
+
+  /// An operator that makes what is not finite of what is.
+  void noteNotFinite(CallInst &call, const stc::OpInfo &op) {
+    if (none_of(op.params, [](auto &param) { return isNumeric(param) && isWritten(param); }))
+      return;
+    builder.SetInsertPoint(&call);
+    Values operands, results;
+    Value *bad = builder.getTrue();
+    for (auto [i, param] : enumerate(op.params))
+      if (isNumeric(param) && isRead(param)) {
+        addNumbers(operands, "number", param, call.getArgOperand(i));
+        bad = builder.CreateAnd(bad, isFinite(param, call.getArgOperand(i)));
+      }
+    builder.SetInsertPoint(call.getNextNode());
+    builder.SetCurrentDebugLocation(call.getDebugLoc());
+    Value *good = builder.getTrue();
+    for (auto [i, param] : enumerate(op.params))
+      if (isNumeric(param) && isWritten(param)) {
+        addNumbers(results, "number", param, call.getArgOperand(i));
+        good = builder.CreateAnd(good, isFinite(param, call.getArgOperand(i)));
+      }
+    noteIf(builder.CreateAnd(bad, builder.CreateNot(good)), call, ANYSL_NOTE_NOT_FINITE,
+           nameOf(call, op), results, operands);
+  }
+
+  /// A condition, or an index, that bounds do not decide.
+  void noteUndecided(CallInst &call, const stc::OpInfo &op) {
+    Function *isUndecided = session.module->getFunction((undecidedPrefix + op.name).str());
+    if (!isUndecided)
+      return;
+    builder.SetInsertPoint(call.getNextNode());
+    builder.SetCurrentDebugLocation(call.getDebugLoc());
+    Values operands, pointers;
+    for (auto [i, param] : enumerate(op.params)) {
+      pointers.push_back(call.getArgOperand(i));
+      addNumbers(operands, "number", param, call.getArgOperand(i));
+    }
+    Value *result = builder.CreateUIToFP(&call, builder.getDoubleTy());
+    noteIf(builder.CreateCall(isUndecided, pointers), call, ANYSL_NOTE_UNDECIDED, op.name, {result},
+           operands);
+  }
+
+  /// The bounds of what goes to the host.
+  void noteBounds(CallInst &call, const stc::OpInfo &op) {
+    auto kind = stc::idKind(op);
+    if (op.purity != stc::Purity::Writes || !kind || op.params.empty())
+      return;
+    const stc::OpParam &stored = op.params.back();
+    if (!isNumeric(stored) || stored.type == stc::Type::matrixTy)
+      return;
+    builder.SetInsertPoint(&call);
+    Values low, high;
+    addNumbers(low, "low", stored, call.getArgOperand(call.arg_size() - 1));
+    addNumbers(high, "high", stored, call.getArgOperand(call.arg_size() - 1));
+    note(call, ANYSL_NOTE_BOUNDS, nameOf(call, op), low, high);
+  }
+
+  /// What an operator is called: by its name, or by that of the global or parameter it is about.
+  std::string nameOf(const CallInst &call, const stc::OpInfo &op) const {
+    auto kind = stc::idKind(op);
+    auto place = find_if(op.params, [](auto &param) { return param.kind == stc::ParamKind::Id; });
+    if (!kind || place == op.params.end())
+      return op.name.str();
+    auto id = unsigned(
+        cast<ConstantInt>(call.getArgOperand(unsigned(place - op.params.begin())))->getZExtValue());
+    if (*kind == stc::IdKind::Global)
+      if (const stc::GlobalVariableInfo *global = stc::globalNumbered(id))
+        return global->name.str();
+    if (*kind == stc::IdKind::Param && id < shader.info.params.size())
+      return shader.info.params[id].name;
+    if (*kind == stc::IdKind::Cell)
+      if (const stc::ParamInfo *param = shader.info.paramOfCell(id))
+        return param->name;
+    return op.name.str();
+  }
+
+  void noteIf(Value *condition, CallInst &call, uint32_t kind, StringRef name,
+              ArrayRef<Value *> results, ArrayRef<Value *> operands) {
+    Instruction *then =
+        SplitBlockAndInsertIfThen(condition, builder.GetInsertPoint(), /*Unreachable=*/false);
+    builder.SetInsertPoint(then);
+    builder.SetCurrentDebugLocation(call.getDebugLoc());
+    note(call, kind, name, results, operands);
+  }
+
+  void note(CallInst &call, uint32_t kind, StringRef name, ArrayRef<Value *> results,
+            ArrayRef<Value *> operands) {
+    results = results.take_front(ANYSL_NOTE_RESULTS);
+    operands = operands.take_front(ANYSL_NOTE_OPERANDS);
+    Values arguments = {context, site(call, kind, name, results.size(), operands.size())};
+    auto append = [&](ArrayRef<Value *> numbers, unsigned count) {
+      arguments.append(numbers.begin(), numbers.end());
+      arguments.append(count - numbers.size(), ConstantFP::get(builder.getDoubleTy(), 0));
+    };
+    append(results, ANYSL_NOTE_RESULTS);
+    append(operands, ANYSL_NOTE_OPERANDS);
+    builder.CreateCall(session.module->getFunction(noteName), arguments);
+  }
+
+  /// An AnyslNoteSite.
+  Constant *site(const CallInst &call, uint32_t kind, StringRef name, size_t results,
+                 size_t operands) {
+    FilePosition position = stc::positionOf(call);
+    Constant *value = ConstantStruct::get(
+        type,
+        {builder.getInt32(kind), builder.getInt32(position.line), builder.getInt32(position.column),
+         builder.getInt32(unsigned(results)), builder.getInt32(unsigned(operands)),
+         builder.getInt32(0), text(shader.info.name), text(position.file), text(name)});
+    return new GlobalVariable(*session.module, type, true, GlobalValue::PrivateLinkage, value,
+                              "anysl.site");
+  }
+
+  Constant *text(StringRef value) {
+    GlobalVariable *&global = texts[value];
+    if (!global) {
+      auto *data = ConstantDataArray::getString(session.context, value);
+      global = new GlobalVariable(*session.module, data->getType(), true,
+                                  GlobalValue::PrivateLinkage, data, "anysl.text");
+    }
+    return global;
+  }
+
+  Session &session;
+  const Shader &shader;
+  Value *context;
+  IRBuilder<> builder;
+  StructType *type;
+  SmallVector<std::pair<CallInst *, const stc::OpInfo *>> calls;
+  StringMap<GlobalVariable *> texts;
+};
+
+/// A function's parameter that is the shading context; null if it has none.
+Value *contextOf(Function &function) {
+  auto signature = stc::signatureOf(function);
+  for (auto [i, param] : enumerate(signature.value_or(SmallVector<stc::OpParam>())))
+    if (param.kind == stc::ParamKind::Ctx)
+      return function.getArg(unsigned(i));
+  return nullptr;
+}
+
+} // namespace
+
+std::vector<std::string> noteSymbols(const Session &session) {
+  std::vector<std::string> result;
+  if (!session.options.checkNaN && !session.notesBounds)
+    return result;
+  result.push_back(noteName.str());
+  for (StringRef type : {"float", "color", "vector", "matrix"}) {
+    result.push_back(("anysl_number_of_" + type).str());
+    if (session.options.checkNaN)
+      result.push_back(("anysl_is_finite_" + type).str());
+    if (session.notesBounds && type != "matrix")
+      for (StringRef bound : {"low", "high"})
+        result.push_back(("anysl_" + bound + "_of_" + type).str());
+  }
+  if (session.notesBounds)
+    for (const stc::OpInfo &op : stc::allOps())
+      if (any_of(session.layers, [&](const Layer &layer) {
+            return layer.module->getFunction((undecidedPrefix + op.name).str());
+          }))
+        result.push_back((undecidedPrefix + op.name).str());
+  return result;
+}
+
+bool hasBounds(const Module &real) { return real.getFunction(lowName); }
+
+bool addNotes(Session &session) {
+  if (!session.module->getFunction(noteName))
+    return true;
+  for (Shader &shader : session.shaders) {
+    SmallSetVector<Function *, 8> functions;
+    functions.insert(shader.info.body);
+    for (unsigned i = 0; i < functions.size(); ++i)
+      for (Instruction &instruction : instructions(functions[i]))
+        if (auto *call = dyn_cast<CallBase>(&instruction))
+          if (Function *callee = call->getCalledFunction();
+              callee && !callee->isDeclaration() && !stc::opOfSymbol(callee->getName()))
+            functions.insert(callee);
+    for (Function *function : functions)
+      if (Value *context =
+              function == shader.info.body ? function->getArg(0) : contextOf(*function))
+        Noter(session, shader, *function, context).run();
+  }
+  return true;
+}
+
+} // namespace anysl::link
