@@ -1,6 +1,7 @@
 # How the lit tests of this tree run; the site file that CMake writes says where the build lies.
 
 import os
+import shutil
 import lit.formats
 
 config.name = "AnySL"
@@ -28,6 +29,11 @@ if config.anysl_sanitize:
     config.available_features.add("sanitizer")
     # The distribution's opt cannot load a plugin that wants a sanitizer's runtime; ours has its passes.
     config.substitutions.insert(0, ("opt -load-pass-plugin=%plugin", os.path.join(tools, "anysl-opt")))
+# A headless browser, to see pages as people do.
+config.anysl_browser = next(filter(None, map(shutil.which, ["chromium-headless-shell", "chromium"])), None)
+if config.anysl_browser:
+    config.available_features.add("browser")
+    config.substitutions.append(("%browser", config.anysl_browser + " --headless --no-sandbox --disable-gpu --hide-scrollbars"))
 with open("/proc/cpuinfo") as cpuinfo:
     flags = set(next((line for line in cpuinfo if line.startswith("flags")), "").split())
 for feature, needed in {"avx2": {"avx2", "fma"}, "avx512": {"avx512f", "avx512dq", "avx512vl", "avx512bw"}}.items():

@@ -14,6 +14,7 @@
 #ifndef ANYSL_RENDER_HOST_H
 #define ANYSL_RENDER_HOST_H
 
+#include "lib/Shade/Recording.h"
 #include "tools/anysl-render/Footprint.h"
 #include "tools/anysl-render/Sampling.h"
 #include "tools/anysl-render/Scene.h"
@@ -78,6 +79,7 @@ struct ThreadState {
   Arena arena;
   RenderCounts counts;
   bool timed = false;
+  shade::Recorder *recorder = nullptr; ///< of what shaders are called with; null: nobody asks
 
   void startShading() {
     if (timed)
@@ -86,6 +88,10 @@ struct ThreadState {
   void stopShading() {
     if (timed)
       counts.shadingTicks += __rdtsc() - since;
+  }
+  void record(const Shader &shader, const ShadingGroup &group, const AnyslShadeArgs &args) const {
+    if (recorder)
+      recorder->add(*shader.instance, args, group.lights, shader.file);
   }
 
 private:

@@ -30,6 +30,10 @@ Renders a RIB scene whose shaders are compiled by AnySL.
   --cache DIR       compiled shaders (default: $XDG_CACHE_HOME/anysl, ~/.cache/anysl)
   --keep-going      leave out what is missing or wrong in the scene, with a warning
   --watch           render again whenever the scene or a shader changes
+  --accuracy-report FOLDER
+                    instead of a picture, write what buys a better one: error against time of
+                    every math tier, real and number of samples
+  --record FILE     write points at which surface and volume shaders ran, for anysl-cost --inputs
   --stats           print times and counts
   --stats-json FILE write them as JSON
   --quiet           no progress, no closing line
@@ -106,6 +110,10 @@ Options anysl::render::parseOptions(int count, char **arguments) {
       options.shaderFolders.push_back(take());
     else if (option == "--cache")
       options.cacheFolder = take();
+    else if (option == "--accuracy-report")
+      options.accuracyReport = take();
+    else if (option == "--record")
+      options.recordFile = take();
     else if (option == "--stats-json")
       options.statsFile = take();
     else if (option == "--watch")

@@ -24,6 +24,8 @@ struct Options {
   std::vector<std::string> shaderFolders;
   std::string cacheFolder;
   std::string statsFile;
+  std::string accuracyReport; ///< its folder; empty: a picture instead
+  std::string recordFile;     ///< of shading points; empty: none
   bool stats = false, quiet = false, watch = false;
   bool keepGoing = false;
   bool help = false, version = false;

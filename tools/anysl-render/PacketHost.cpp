@@ -431,6 +431,7 @@ AnyslShadeArgs PacketHost<W>::run(const Shader &shader, PacketBatch &batch, uint
     values->fill(args);
   state.counts.points += count;
   ++state.counts.batches;
+  state.record(shader, *batch.group, args);
   LightScope lights(args, *batch.group->lights);
   state.startShading();
   shader.shade(&args, 0, count);

@@ -16,7 +16,8 @@
 namespace anysl::render {
 
 struct RenderOptions {
-  bool timed = false; ///< measure how long shaders run
+  bool timed = false;                  ///< measure how long shaders run
+  shade::Recorder *recorder = nullptr; ///< collects what shaders are called with
   /// Called now and then, by one thread at a time, with the share of tiles that are done.
   std::function<void(double share)> progress;
   /// Asked before each tile; true gives up, and the picture is not complete.

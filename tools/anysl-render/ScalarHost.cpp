@@ -30,7 +30,7 @@ struct PointBatch {
   RayStarts starts;
   unsigned depth;
   uint32_t seed;
-  uint32_t rays = 0; ///< how many the shader has traced from this point
+  uint32_t rays = 0;                       ///< how many the shader has traced from this point
   const Shader *volume = nullptr;          ///< that the ray came through, or null
   const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
 };
@@ -243,6 +243,7 @@ AnyslShadeArgs ScalarHost::run(const Shader &shader, const ShadingGroup &group, 
     values->fill(args);
   ++batch.state->counts.points;
   ++batch.state->counts.batches;
+  batch.state->record(shader, group, args);
   LightScope lights(args, *group.lights);
   batch.state->startShading();
   shader.shade(&args, 0, 1);

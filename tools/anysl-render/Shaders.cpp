@@ -131,6 +131,7 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
   auto shader = std::make_unique<Shader>();
   shader->scene = &scene;
   shader->use = &use;
+  shader->file = std::filesystem::absolute(cache.find(use.name).value_or(use.name));
   shader->info = info;
   shader->space = Space(use.shaderToCamera);
   AnyslInstance *instance = nullptr;

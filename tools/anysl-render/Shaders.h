@@ -25,7 +25,8 @@ class Scene;
 struct Shader {
   const Scene *scene = nullptr;
   const ShaderUse *use = nullptr;
-  Space space; ///< "shader"
+  std::string file; ///< it comes from: source, STC or library
+  Space space;      ///< "shader"
   struct Free {
     void operator()(AnyslInstance *instance) const { anysl_instance_free(instance); }
   };

@@ -5,8 +5,11 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Shade/Options.h"
+#include "lib/Shade/Progress.h"
+#include "lib/Shade/Recording.h"
+#include "tools/anysl-render/AccuracyReport.h"
 #include "tools/anysl-render/Options.h"
-#include "tools/anysl-render/Progress.h"
 #include "tools/anysl-render/Render.h"
 #include "tools/anysl-render/RibReader.h"
 #include "tools/anysl-render/Textures.h"
@@ -18,9 +21,13 @@
 #include <cstdio>
 
 namespace fs = std::filesystem;
+namespace shade = anysl::shade;
 using namespace anysl::render;
 
 namespace {
+
+/// How many points --record keeps of each shader.
+constexpr uint32_t recordedPoints = 4096;
 
 /// Where shaders are looked for, first to last: --shaders, the scene's own search path, the scene's
 /// folder, the folder of shaders next to it, the folder installed with the program.
@@ -88,6 +95,19 @@ void writeStats(const Options &options, const SceneDescription &scene, const Ren
     throw UserError("cannot write '" + options.statsFile + "'");
 }
 
+void writeRecord(const std::string &path, shade::Recorder &recorder, Warnings &warnings) {
+  std::vector<shade::RecordedShader> shaders = recorder.take();
+  for (const shade::RecordedShader &shader : shaders)
+    if (shader.lostLights)
+      warnings.warn({}, "--record: the light shaders that shine on \"" + shader.name +
+                            "\" are not recorded");
+  try {
+    shade::writeRecording(path, shaders);
+  } catch (const shade::UserError &error) {
+    throw UserError(error.what());
+  }
+}
+
 /// Renders one picture and has the files it was made from watched. Returns false if a change of one
 /// of them ended it early.
 bool renderScene(const Options &options, const SceneDescription &scene, Watch *watch,
@@ -118,12 +138,15 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
     watch->add(cache.sources());
   double setup = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
-  Progress progress(fs::path(options.scene).filename().string(), options.quiet);
+  shade::Progress progress(fs::path(options.scene).filename().string(), options.quiet);
   RenderOptions renderOptions;
   renderOptions.timed = options.stats || !options.statsFile.empty();
   renderOptions.progress = [&](double share) { progress.show(share); };
   if (watch)
     renderOptions.cancelled = [watch] { return watch->changed(); };
+  shade::Recorder recorder(recordedPoints);
+  if (!options.recordFile.empty())
+    renderOptions.recorder = &recorder;
   RenderResult result = render(*host, renderOptions);
   progress.finish();
   if (!result.complete)
@@ -136,6 +159,8 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
     writeImage(result.film, scene, output);
     names += (names.empty() ? "" : ", ") + imageFileName(output);
   }
+  if (!options.recordFile.empty())
+    writeRecord(options.recordFile, recorder, warnings);
   if (!options.quiet)
     std::fprintf(stderr, "%s: %dx%d, %s %s, width %u: %.2f s%s\n", names.c_str(),
                  scene.camera.width, scene.camera.height, options.target.runtime.c_str(),
@@ -163,6 +188,8 @@ void renderFile(const Options &options, Watch *watch, unsigned threads) {
     scene.folder = fs::path(options.scene).parent_path().string();
     applyOptions(options, scene);
     makeTextures(scene.texturesBefore, warnings);
+    if (!options.accuracyReport.empty())
+      return writeAccuracyReport(options, scene, shaderPath(options, scene), warnings);
     if (!renderScene(options, scene, watch, threads, warnings))
       return;
     makeTextures(scene.texturesAfter, warnings);

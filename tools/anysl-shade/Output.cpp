@@ -6,8 +6,8 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-shade/Output.h"
-#include "tools/anysl-shade/ImageModule.h"
-#include "tools/anysl-shade/Pictures.h"
+#include "lib/Shade/ImageModule.h"
+#include "lib/Shade/Pictures.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,4 @@
-//===-- tools/anysl-shade/Output.h - results as text, JSON, an image ------------------*- C++
-//-*-===//
+//===-- tools/anysl-shade/Output.h - results as text, JSON, an image ---------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -9,7 +8,8 @@
 #ifndef ANYSL_TOOLS_ANYSL_SHADE_OUTPUT_H
 #define ANYSL_TOOLS_ANYSL_SHADE_OUTPUT_H
 
-#include "tools/anysl-shade/Grid.h"
+#include "lib/Shade/Grid.h"
+#include "tools/anysl-shade/Options.h"
 
 namespace anysl::shade {
 

@@ -11,8 +11,10 @@
 
 using namespace anysl::shade;
 
-static void run(const Options &options) {
+static void run(Options options) {
   Grid grid(options);
+  options.gridWidth = grid.width();
+  options.gridHeight = grid.height();
   if (options.bench)
     runBenchmark(options, grid);
   bool print = options.json || !options.print.empty() || options.image.empty();

@@ -1,5 +1,4 @@
-//===-- tools/anysl-shade/Environment.h - a world in closed form ----------------------*- C++
-//-*-===//
+//===-- lib/Shade/Environment.h - a world in closed form ----------------------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -26,14 +25,15 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#ifndef ANYSL_TOOLS_ANYSL_SHADE_ENVIRONMENT_H
-#define ANYSL_TOOLS_ANYSL_SHADE_ENVIRONMENT_H
+#ifndef ANYSL_LIB_SHADE_ENVIRONMENT_H
+#define ANYSL_LIB_SHADE_ENVIRONMENT_H
 
-#include "tools/anysl-shade/Pictures.h"
+#include "lib/Shade/Pictures.h"
 #include <anysl/anysl.h>
 #include <array>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,7 +51,9 @@ struct KnownValue {
 
 struct Environment {
   Surroundings surroundings = Surroundings::Sky;
+  bool surroundingsGiven = false; ///< by the command line
   std::map<std::string, Matrix> toCurrent; ///< by name of the coordinate system
+  std::set<std::string> givenSpaces;       ///< those that the command line names
   std::FILE *printTo = stdout;             ///< what shaders print
   /// What answers queries, by kind and name; that of a texture by "FILE:NAME".
   std::map<std::pair<uint32_t, std::string>, KnownValue> answers;

@@ -1,17 +1,17 @@
-//===-- tools/anysl-render/Progress.h - how far a picture is ----------------------*- C++ -*---===//
+//===-- lib/Shade/Progress.h - how far something is ---------------------------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#ifndef ANYSL_RENDER_PROGRESS_H
-#define ANYSL_RENDER_PROGRESS_H
+#ifndef ANYSL_LIB_SHADE_PROGRESS_H
+#define ANYSL_LIB_SHADE_PROGRESS_H
 
 #include <chrono>
 #include <string>
 
-namespace anysl::render {
+namespace anysl::shade {
 
 /// Shows progress on standard error: a bar that moves on a terminal, a line for each quarter
 /// elsewhere.
@@ -33,6 +33,6 @@ private:
   Clock::time_point begin = Clock::now(), last = begin;
 };
 
-} // namespace anysl::render
+} // namespace anysl::shade
 
 #endif

@@ -1,13 +1,13 @@
-//===-- tools/anysl-shade/Pictures.cpp - pictures, once something asks for them -----*- C++ -*-===//
+//===-- lib/Shade/Pictures.cpp - pictures, once something asks for them -----------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-shade/Pictures.h"
-#include "tools/anysl-shade/ImageModule.h"
-#include "tools/anysl-shade/Options.h"
+#include "lib/Shade/Pictures.h"
+#include "lib/Shade/ImageModule.h"
+#include "lib/Shade/Options.h"
 #include <cstdio>
 #include <dlfcn.h>
 #include <filesystem>

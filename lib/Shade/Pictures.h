@@ -1,12 +1,12 @@
-//===-- tools/anysl-shade/Pictures.h - pictures, once something asks for them -------*- C++ -*-===//
+//===-- lib/Shade/Pictures.h - pictures, once something asks for them ---------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#ifndef ANYSL_TOOLS_ANYSL_SHADE_PICTURES_H
-#define ANYSL_TOOLS_ANYSL_SHADE_PICTURES_H
+#ifndef ANYSL_LIB_SHADE_PICTURES_H
+#define ANYSL_LIB_SHADE_PICTURES_H
 
 #include "lib/Textures/Textures.h"
 #include <mutex>

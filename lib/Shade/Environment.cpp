@@ -1,11 +1,11 @@
-//===-- tools/anysl-shade/Environment.cpp - a world in closed form ----------------------------===//
+//===-- lib/Shade/Environment.cpp - a world in closed form ------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-shade/Environment.h"
+#include "lib/Shade/Environment.h"
 #include "lib/Textures/Answer.h"
 
 #include <anysl/anysl.h>

@@ -1,15 +1,14 @@
-//===-- tools/anysl-shade/Handles.h - the loader's objects, owned ---------------------*- C++
-//-*-===//
+//===-- lib/Shade/Handles.h - the loader's objects, owned ---------------------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#ifndef ANYSL_TOOLS_ANYSL_SHADE_HANDLES_H
-#define ANYSL_TOOLS_ANYSL_SHADE_HANDLES_H
+#ifndef ANYSL_LIB_SHADE_HANDLES_H
+#define ANYSL_LIB_SHADE_HANDLES_H
 
-#include "tools/anysl-shade/Options.h"
+#include "lib/Shade/Options.h"
 #include <anysl/anysl.h>
 #include <anysl/notes.h>
 #include <memory>
@@ -36,8 +35,10 @@ LibraryHandle openLibrary(const std::string &path);
 /// The shader of a name, or the library's first, with its defaults.
 InstanceHandle makeInstance(AnyslLibrary *library, const std::string *shader,
                             const AnyslServices &services, Environment &environment);
-/// Sets a parameter from text: numbers, or text, as its type is. \p option is named in messages.
-void setParam(AnyslInstance *instance, ParamText param, const std::string &option);
+/// Sets a parameter from text: numbers (of float precision, if so asked), or text, as its type is.
+/// \p option is named in messages.
+void setParam(AnyslInstance *instance, ParamText param, const std::string &option,
+              bool asFloats = false);
 
 } // namespace anysl::shade
 

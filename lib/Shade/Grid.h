@@ -1,15 +1,14 @@
-//===-- tools/anysl-shade/Grid.h - a shader over a grid of points ---------------------*- C++
-//-*-===//
+//===-- lib/Shade/Grid.h - a shader over a grid of points ---------------------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#ifndef ANYSL_TOOLS_ANYSL_SHADE_GRID_H
-#define ANYSL_TOOLS_ANYSL_SHADE_GRID_H
+#ifndef ANYSL_LIB_SHADE_GRID_H
+#define ANYSL_LIB_SHADE_GRID_H
 
-#include "tools/anysl-shade/Lights.h"
+#include "lib/Shade/Lights.h"
 #include <array>
 #include <map>
 
@@ -30,10 +29,14 @@ struct Result {
 /// A shader instance as the command line describes it. Its functions throw UserError.
 class Grid {
 public:
-  explicit Grid(const Options &options);
+  explicit Grid(const GridOptions &options);
 
-  /// Shades every point, a few thousand at a time.
-  std::vector<Result> shade() const;
+  /// Shades every point, a few thousand at a time, with the code for a width (0: the options').
+  std::vector<Result> shade(unsigned width = 0) const;
+
+  /// Seconds of this thread that shading all points takes, \p times times, in a batch of
+  /// makeBatch() that holds all of them. Filling it is not counted.
+  double secondsFor(AnyslBatch *batch, unsigned width, unsigned times) const;
 
   /// Prints what the shader's library has noted while shading, each place once.
   void printNotes() const;
@@ -42,6 +45,8 @@ public:
   BatchHandle makeBatch(size_t first, uint32_t count) const;
   /// Puts the inputs of these points into a batch.
   void fill(AnyslBatch *batch, size_t first, uint32_t count) const;
+  unsigned width() const { return options.gridWidth; }
+  unsigned height() const { return options.gridHeight; }
   size_t pointCount() const { return size_t(options.gridWidth) * options.gridHeight; }
 
   const AnyslInstance *instance() const { return shaderInstance.get(); }
@@ -57,16 +62,18 @@ private:
     bool alongHeight = false;
   };
 
+  void adoptRecording();
   void addCoshader(const CoshaderText &text);
   void override(const std::string &name, std::vector<double> from, std::vector<double> to,
                 bool alongHeight, const char *option);
   void chooseResults();
   static void readTexts(const AnyslBatch *batch, size_t first, uint32_t count, Result &result);
+  void round(std::vector<double> &values) const;
   void valueAt(const Override &value, size_t point, double *result) const;
   void globalAt(int global, size_t point, double *result) const;
   void slopeAt(int global, bool byV, std::array<double, 3> plain, double *result) const;
 
-  Options options;
+  GridOptions options;
   AnyslServices services;
   LibraryHandle library;
   NoteLogHandle notes; ///< null: the library notes nothing
@@ -74,7 +81,9 @@ private:
   Lights lights;
   std::vector<LibraryHandle> coshaderLibraries;
   std::vector<InstanceHandle> coshaders;
-  uint64_t coshaderGlobals = 0; ///< that their methods name
+  uint64_t coshaderGlobals = 0;                    ///< that their methods name
+  std::shared_ptr<const RecordedShader> recording; ///< null: a grid
+  std::map<int, const RecordedShader::Values *> recordedGlobals;
   std::map<int, Override> globalOverrides;
   std::map<std::string, Override> paramOverrides;
   std::vector<Result> wanted; ///< without values

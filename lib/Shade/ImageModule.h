@@ -1,13 +1,12 @@
-//===-- tools/anysl-shade/ImageModule.h - writes images, in a module of its own -------*- C++
-//-*-===//
+//===-- lib/Shade/ImageModule.h - writes images, in a module of its own -------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#ifndef ANYSL_TOOLS_ANYSL_SHADE_IMAGEMODULE_H
-#define ANYSL_TOOLS_ANYSL_SHADE_IMAGEMODULE_H
+#ifndef ANYSL_LIB_SHADE_IMAGEMODULE_H
+#define ANYSL_LIB_SHADE_IMAGEMODULE_H
 
 #include "lib/Textures/Textures.h"
 #include <string>

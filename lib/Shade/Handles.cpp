@@ -1,11 +1,11 @@
-//===-- tools/anysl-shade/Handles.cpp - the loader's objects, owned ---------------------------===//
+//===-- lib/Shade/Handles.cpp - the loader's objects, owned -----------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-shade/Handles.h"
+#include "lib/Shade/Handles.h"
 #include <new>
 
 namespace anysl::shade {
@@ -31,7 +31,7 @@ InstanceHandle makeInstance(AnyslLibrary *library, const std::string *shader,
   return InstanceHandle(created);
 }
 
-void setParam(AnyslInstance *instance, ParamText param, const std::string &option) {
+void setParam(AnyslInstance *instance, ParamText param, const std::string &option, bool asFloats) {
   // As anysl-link takes it: SHADER.NAME=VALUE.
   const AnyslShaderInfo &shader = *anysl_instance_shader(instance);
   std::string prefix = std::string(shader.name) + ".";
@@ -42,6 +42,8 @@ void setParam(AnyslInstance *instance, ParamText param, const std::string &optio
     // An unknown name is best reported by the library, whatever the value.
     std::vector<double> numbers =
         info ? parseNumbers(param.value, option + " " + param.name) : std::vector<double>(1);
+    for (double &number : numbers)
+      number = asFloats ? double(float(number)) : number;
     return check(
         anysl_instance_set_numbers(instance, param.name.c_str(), numbers.data(), numbers.size()));
   }

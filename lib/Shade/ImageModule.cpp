@@ -1,4 +1,4 @@
-//===-- tools/anysl-shade/ImageModule.cpp - writes images through OpenImageIO -----------------===//
+//===-- lib/Shade/ImageModule.cpp - writes images through OpenImageIO -------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -10,7 +10,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-shade/ImageModule.h"
+#include "lib/Shade/ImageModule.h"
 #include <OpenImageIO/imageio.h>
 #include <cstdio>
 

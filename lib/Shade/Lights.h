@@ -1,15 +1,15 @@
-//===-- tools/anysl-shade/Lights.h - the lights of the command line -------------------*- C++
-//-*-===//
+//===-- lib/Shade/Lights.h - the lights of the command line -------------------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#ifndef ANYSL_TOOLS_ANYSL_SHADE_LIGHTS_H
-#define ANYSL_TOOLS_ANYSL_SHADE_LIGHTS_H
+#ifndef ANYSL_LIB_SHADE_LIGHTS_H
+#define ANYSL_LIB_SHADE_LIGHTS_H
 
-#include "tools/anysl-shade/Handles.h"
+#include "lib/Shade/Handles.h"
+#include "lib/Shade/Recording.h"
 #include <list>
 
 namespace anysl::shade {
@@ -19,6 +19,9 @@ public:
   /// Reads what --light gives, each by itself. Throws UserError.
   Lights(const std::vector<std::string> &descriptions, const AnyslServices &services,
          const Environment &world);
+
+  /// The lights of recorded points, which must outlive this.
+  void add(const RecordedShader &recording);
 
   /// What the lights read of the surface.
   uint64_t globals() const;

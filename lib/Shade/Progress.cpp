@@ -1,11 +1,11 @@
-//===-- tools/anysl-render/Progress.cpp - how far a picture is --------------------------------===//
+//===-- lib/Shade/Progress.cpp - how far something is -----------------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-render/Progress.h"
+#include "lib/Shade/Progress.h"
 
 #include <cmath>
 #include <cstdio>
@@ -13,7 +13,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-using namespace anysl::render;
+using namespace anysl::shade;
 
 Progress::Progress(std::string title, bool quiet)
     : title(std::move(title)), quiet(quiet), terminal(isatty(STDERR_FILENO)) {}

@@ -1,11 +1,11 @@
-//===-- tools/anysl-shade/Lights.cpp - the lights of the command line -------------------------===//
+//===-- lib/Shade/Lights.cpp - the lights of the command line ---------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-shade/Lights.h"
+#include "lib/Shade/Lights.h"
 #include <algorithm>
 
 namespace anysl::shade {
@@ -97,6 +97,15 @@ Lights::Lights(const std::vector<std::string> &descriptions, const AnyslServices
                const Environment &world) {
   for (const std::string &description : descriptions)
     add(description, services, world);
+}
+
+void Lights::add(const RecordedShader &recording) {
+  for (const RecordedShader::Light &recorded : recording.lights) {
+    AnyslLight &light = lights.emplace_back(recorded.values);
+    light.category = recorded.category.empty() ? nullptr : recorded.category.c_str();
+  }
+  for (int c = 0; c < 3; ++c)
+    ambient[c] += recording.ambient[c];
 }
 
 uint64_t Lights::globals() const {

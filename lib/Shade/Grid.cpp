@@ -1,11 +1,12 @@
-//===-- tools/anysl-shade/Grid.cpp - a shader over a grid of points ---------------------------===//
+//===-- lib/Shade/Grid.cpp - a shader over a grid of points -----------------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-shade/Grid.h"
+#include "lib/Shade/Grid.h"
+#include "lib/Shade/Timing.h"
 #include <algorithm>
 #include <cstdio>
 
@@ -24,21 +25,62 @@ double step(size_t n) { return n > 1 ? 1 / double(n - 1) : 1; }
 
 } // namespace
 
-Grid::Grid(const Options &given)
+Grid::Grid(const GridOptions &given)
     : options(given), services(environmentServices()), library(openLibrary(given.library)),
       notes(anysl_note_log_create(library.get())),
       shaderInstance(makeInstance(library.get(), given.shader ? &*given.shader : nullptr, services,
                                   options.environment)),
       lights(given.lights, services, options.environment) {
+  adoptRecording();
   for (const CoshaderText &coshader : options.coshaders)
     addCoshader(coshader);
   for (const ParamText &param : options.params)
-    setParam(shaderInstance.get(), param, "--param");
+    setParam(shaderInstance.get(), param, "--param", options.floatInputs);
   for (const Constant &constant : options.constants)
     override(constant.name, constant.value, constant.value, false, "--set");
   for (const Ramp &ramp : options.ramps)
     override(ramp.name, ramp.from, ramp.to, ramp.alongHeight, "--ramp");
   chooseResults();
+}
+
+/// Parameters and lights of the command line come on top, spaces in place of those recorded.
+void Grid::adoptRecording() {
+  if (options.recorded.empty())
+    return;
+  auto fits = [&](const auto &part) {
+    return part->name == shader().name && part->kind == anysl_kind_name(shader().kind);
+  };
+  auto found = std::find_if(options.recorded.begin(), options.recorded.end(), fits);
+  if (found == options.recorded.end())
+    throw UserError("--inputs: no points are recorded of the " +
+                    std::string(anysl_kind_name(shader().kind)) + " shader '" + shader().name +
+                    "'");
+  recording = *found;
+  // The closed world's ground would cast shadows on points from elsewhere.
+  if (!options.environment.surroundingsGiven)
+    options.environment.surroundings = Surroundings::Black;
+  options.gridWidth = recording->points;
+  options.gridHeight = 1;
+  for (const auto &[name, matrix] : recording->spaces)
+    if (!options.environment.givenSpaces.count(name))
+      options.environment.toCurrent[name] = matrix;
+  for (const RecordedShader::Param &param : recording->params) {
+    if (!param.texts.empty()) {
+      std::vector<const char *> texts;
+      for (const std::string &text : param.texts)
+        texts.push_back(text.c_str());
+      check(anysl_instance_set_strings(shaderInstance.get(), param.name.c_str(), texts.data(),
+                                       texts.size()));
+      continue;
+    }
+    std::vector<double> numbers = param.numbers;
+    round(numbers);
+    check(anysl_instance_set_numbers(shaderInstance.get(), param.name.c_str(), numbers.data(),
+                                     numbers.size()));
+  }
+  lights.add(*recording);
+  for (const RecordedShader::Values &values : recording->globals)
+    recordedGlobals[anysl_global_find(values.name.c_str())] = &values;
 }
 
 void Grid::addCoshader(const CoshaderText &text) {
@@ -94,7 +136,7 @@ void Grid::chooseResults() {
       if (shader().globals_written >> global & 1)
         options.print.push_back(anysl_global_name(global));
   bool wantsCi = std::find(options.print.begin(), options.print.end(), "Ci") != options.print.end();
-  if (!options.image.empty() && !wantsCi)
+  if (options.needsColor && !wantsCi)
     options.print.push_back("Ci");
   std::string outputs;
   for (uint32_t i = 0; i < shader().param_count; ++i)
@@ -145,6 +187,12 @@ void Grid::globalAt(int global, size_t point, double *result) const {
   auto given = globalOverrides.find(global);
   if (given != globalOverrides.end())
     return valueAt(given->second, point, result);
+  auto known = recordedGlobals.find(global);
+  if (known != recordedGlobals.end()) {
+    const RecordedShader::Values &values = *known->second;
+    std::copy_n(&values.numbers[point * values.components], values.components, result);
+    return;
+  }
   double u = fraction(point % options.gridWidth, options.gridWidth);
   double v = fraction(point / options.gridWidth, options.gridHeight);
   auto put = [&](double x, double y = 0, double z = 0) {
@@ -202,6 +250,13 @@ void Grid::globalAt(int global, size_t point, double *result) const {
   }
 }
 
+/// Rounds numbers to what a float holds, if the options say so.
+void Grid::round(std::vector<double> &values) const {
+  if (options.floatInputs)
+    for (double &value : values)
+      value = double(float(value));
+}
+
 void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
   std::vector<double> values;
   for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global) {
@@ -211,6 +266,7 @@ void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
     values.resize(size_t(count) * components);
     for (uint32_t i = 0; i < count; ++i)
       globalAt(global, first + i, &values[size_t(i) * components]);
+    round(values);
     check(anysl_batch_write_double(batch, global, 0, count, values.data(), components));
   }
   for (const auto &[name, value] : paramOverrides) {
@@ -218,12 +274,18 @@ void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
     values.resize(count * components);
     for (uint32_t i = 0; i < count; ++i)
       valueAt(value, first + i, &values[i * components]);
+    round(values);
     check(anysl_batch_bind_double(batch, name.c_str(), 0, count, values.data(), components));
   }
+  if (recording)
+    for (const RecordedShader::Values &value : recording->varying)
+      if (!paramOverrides.count(value.name))
+        check(anysl_batch_bind_float(batch, value.name.c_str(), 0, count,
+                                     &value.numbers[first * value.components], value.components));
   // A point's random numbers do not depend on how the grid is cut into batches.
   std::vector<uint32_t> seeds(count);
   for (uint32_t i = 0; i < count; ++i)
-    seeds[i] = uint32_t(first + i);
+    seeds[i] = recording ? recording->seeds[first + i] : uint32_t(first + i);
   check(anysl_batch_set_seeds(batch, seeds.data()));
 }
 
@@ -260,7 +322,17 @@ void Grid::printNotes() const {
   }
 }
 
-std::vector<Result> Grid::shade() const {
+double Grid::secondsFor(AnyslBatch *batch, unsigned width, unsigned times) const {
+  auto count = uint32_t(pointCount());
+  // Fresh inputs: a shader may move P at every run.
+  fill(batch, 0, count);
+  double start = threadSeconds();
+  for (unsigned i = 0; i < times; ++i)
+    check(anysl_shade(instance(), batch, 0, count, width));
+  return threadSeconds() - start;
+}
+
+std::vector<Result> Grid::shade(unsigned width) const {
   std::vector<Result> results = wanted;
   for (Result &result : results)
     if (result.isText)
@@ -272,7 +344,7 @@ std::vector<Result> Grid::shade() const {
     BatchHandle batch = makeBatch(first, count);
     if (notes)
       anysl_note_log_count_from(notes.get(), first);
-    check(anysl_shade(instance(), batch.get(), 0, count, options.width));
+    check(anysl_shade(instance(), batch.get(), 0, count, width ? width : options.width));
     for (Result &result : results) {
       if (result.isText) {
         readTexts(batch.get(), first, count, result);
