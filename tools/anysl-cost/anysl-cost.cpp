@@ -1,0 +1,167 @@
+//===-- tools/anysl-cost/anysl-cost.cpp - what accuracy costs in time -------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Emit/Target.h"
+#include "lib/Shade/Progress.h"
+#include "lib/Support/Output.h"
+#include "lib/Support/Tool.h"
+#include "tools/anysl-cost/Report.h"
+#include "llvm/ADT/SmallString.h"
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/CommandLine.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/FormatVariadic.h"
+#include "llvm/Support/Path.h"
+
+using namespace llvm;
+using namespace anysl;
+using namespace anysl::cost;
+
+namespace {
+
+cl::OptionCategory category("anysl-cost");
+
+cl::list<std::string> inputs(cl::Positional, cl::OneOrMore, cl::desc("FILE.stc.bc..."),
+                             cl::cat(category));
+cl::opt<std::string> output("o", cl::desc("Write report.html, report.json and report.csv there"),
+                            cl::value_desc("FOLDER"), cl::cat(category));
+cl::list<std::string> shaders("shader", cl::desc("Only this shader (repeatable; default: all)"),
+                              cl::value_desc("NAME"), cl::cat(category));
+cl::list<std::string> prints("print",
+                             cl::desc("Compare this global or output parameter (repeatable; "
+                                      "default: every global that the shader writes)"),
+                             cl::value_desc("NAME"), cl::cat(category));
+cl::opt<std::string> runtime("runtime",
+                             cl::desc("The renderer's runtime (default: packet, and scalar for "
+                                      "reals that it does not work with)"),
+                             cl::value_desc("NAME"), cl::cat(category));
+cl::list<std::string> reals("real", cl::desc("What a float is (default: float,double)"),
+                            cl::CommaSeparated, cl::value_desc("NAME,..."), cl::cat(category));
+cl::list<unsigned> widths("width", cl::desc("Points at once (default: 1,4,8,16)"),
+                          cl::CommaSeparated, cl::value_desc("N,..."), cl::cat(category));
+cl::opt<int> rounds("rounds", cl::desc("How often each variant is timed (default: 15)"),
+                    cl::init(15), cl::value_desc("N"), cl::cat(category));
+cl::opt<std::string> cpu("mcpu", cl::desc("The processor, as LLVM names it (default: native)"),
+                         cl::init("native"), cl::value_desc("CPU"), cl::cat(category));
+cl::opt<bool> quiet("quiet", cl::desc("No progress"), cl::cat(category));
+
+/// What grids of points have in common for all programs, with help of its own.
+std::vector<std::unique_ptr<cl::list<std::string>>> gridOptions;
+cl::extrahelp gridHelp("");
+
+void makeGridOptions() {
+  for (const shade::GridOption &option : shade::gridOptions())
+    gridOptions.push_back(std::make_unique<cl::list<std::string>>(StringRef(option.name).ltrim('-'),
+                                                                  cl::Hidden, cl::cat(category)));
+  static const std::string help = std::string("\nPOINTS:\n\n") + shade::gridHelp +
+                                  "  --grid=WxH               default: 64x64\n" +
+                                  shade::pointsHelp + "\n" + shade::worldHelp;
+  gridHelp.morehelp = help;
+}
+
+Settings makeSettings() {
+  Settings settings;
+  auto shared = shade::gridOptions();
+  for (size_t i = 0; i < shared.size(); ++i)
+    for (const std::string &value : *gridOptions[i])
+      shared[i].read(settings.grid, value);
+  if (!settings.grid.gridWidth)
+    settings.grid.gridWidth = settings.grid.gridHeight = 64;
+  settings.grid.print.assign(prints.begin(), prints.end());
+  settings.grid.environment.printTo = stderr;
+  if (!reals.empty())
+    settings.reals.assign(reals.begin(), reals.end());
+  if (!widths.empty())
+    settings.widths.assign(widths.begin(), widths.end());
+  settings.rounds = std::max(1, int(rounds));
+  return settings;
+}
+
+/// The shaders of a library that can be run by themselves.
+std::vector<std::string> shadersIn(const Build &build) {
+  std::vector<std::string> names;
+  for (const link::ShaderReport &shader : build.report.shaders)
+    if (shader.kind != "method" && !is_contained(names, shader.name))
+      names.push_back(shader.name);
+  return names;
+}
+
+bool writeReports(DiagnosticEngine &diags, const cost::Report &report) {
+  if (std::error_code error = sys::fs::create_directories(output)) {
+    diags.error("cannot make the folder '" + output + "': " + error.message());
+    return false;
+  }
+  auto write = [&](StringRef name, const std::string &text) {
+    SmallString<128> path(output);
+    sys::path::append(path, name);
+    return writeFile(diags, path, [&](raw_pwrite_stream &out) {
+      out << text;
+      return Error::success();
+    });
+  };
+  return write("report.html", toHtml(report)) &&
+         write("report.json", formatv("{0:2}\n", toJson(report)).str()) &&
+         write("report.csv", toCsv(report));
+}
+
+void run(DiagnosticEngine &diags, const Tool &tool) {
+  auto target = makeTarget(diags, cpu, "");
+  if (!target)
+    throw Failed();
+  link::LinkOptions options;
+  options.resourceDir = tool.resourceDir();
+  options.runtime = runtime;
+  Settings settings = makeSettings();
+  options.widths = settings.widths;
+
+  cost::Report report;
+  report.cpu = target->getTargetCPU().str();
+  report.rounds = settings.rounds;
+  std::vector<std::string> wanted(shaders.begin(), shaders.end()), met;
+  // A copy: lld, when it runs, forgets what the command line said.
+  std::vector<std::string> files(inputs.begin(), inputs.end());
+  for (const std::string &file : files) {
+    Builder builder(diags, *target, {file}, options);
+    for (const std::string &name : shadersIn(builder.build(settings.reals.front(), {"cr"}))) {
+      if (!wanted.empty() && !is_contained(wanted, name))
+        continue;
+      met.push_back(name);
+      shade::Progress progress(name, quiet);
+      Experiment experiment(builder, name, settings,
+                            [&](double share, const std::string &) { progress.show(share); });
+      report.shaders.push_back(experiment.run());
+      report.shaders.back().file = file;
+      progress.finish();
+      printTable(report.shaders.back(), outs());
+    }
+  }
+  for (const std::string &name : wanted)
+    if (!is_contained(met, name))
+      throw shade::UserError("there is no shader '" + name + "' in these files");
+  if (!output.empty() && !writeReports(diags, report))
+    throw Failed();
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  makeGridOptions();
+  Tool tool(argc, argv, "anysl-cost",
+            "Measures what a shader's accuracy costs in time: every real, math tier and width "
+            "against an oracle.\n",
+            category);
+  DiagnosticEngine diags("anysl-cost");
+  try {
+    run(diags, tool);
+    return success;
+  } catch (const Failed &) {
+    return userError;
+  } catch (const shade::UserError &error) {
+    diags.error(error.what());
+    return userError;
+  }
+}
