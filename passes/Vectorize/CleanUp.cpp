@@ -37,7 +37,8 @@ static void startAtZero(Function &function) {
             value.set(Constant::getNullValue(phi.getType()));
 }
 
-void cleanUp(Function &function, FunctionAnalysisManager &analyses) {
+void cleanUp(Function &function, FunctionAnalysisManager &analyses,
+             function_ref<void(StringRef step)> check) {
   FunctionPassManager passes;
   // Lane-private variables that are only ever used whole become registers.
   passes.addPass(SROAPass(SROAOptions::PreserveCFG));
@@ -53,10 +54,16 @@ void cleanUp(Function &function, FunctionAnalysisManager &analyses) {
   PreservedAnalyses preserved = passes.run(function, analyses);
   analyses.invalidate(function, preserved);
 
+  check("simplification");
+
   startAtZero(function);
   bool changed = widenStridedAccess(function);
-  changed |= unmaskGathers(function, analyses.getResult<TargetIRAnalysis>(function));
-  changed |= keepMasksAsIntegers(function, analyses.getResult<TargetIRAnalysis>(function));
+  check("widening of strided access");
+  const TargetTransformInfo &target = analyses.getResult<TargetIRAnalysis>(function);
+  changed |= unmaskGathers(function, target);
+  check("unmasking");
+  changed |= keepMasksAsIntegers(function, target);
+  check("rewriting of masks");
   if (changed)
     analyses.invalidate(function, PreservedAnalyses::none());
 }

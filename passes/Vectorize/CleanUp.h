@@ -8,12 +8,15 @@
 #ifndef ANYSL_PASSES_VECTORIZE_CLEANUP_H
 #define ANYSL_PASSES_VECTORIZE_CLEANUP_H
 
+#include "llvm/ADT/STLFunctionalExtras.h"
 #include "llvm/IR/PassManager.h"
 
 namespace anysl {
 
-/// Simplifies a variant: folds blends, shares what lanes have in common, drops what nobody uses.
-void cleanUp(llvm::Function &function, llvm::FunctionAnalysisManager &analyses);
+/// Simplifies a variant: folds blends, shares what lanes have in common, drops what nobody uses. \p
+/// check is called with the name of each step that is done.
+void cleanUp(llvm::Function &function, llvm::FunctionAnalysisManager &analyses,
+             llvm::function_ref<void(llvm::StringRef step)> check);
 
 } // namespace anysl
 

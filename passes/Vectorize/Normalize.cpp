@@ -164,7 +164,8 @@ static void foldTrivialBranches(Function &function) {
   }
 }
 
-void normalize(Function &function, FunctionAnalysisManager &analyses) {
+void normalize(Function &function, FunctionAnalysisManager &analyses,
+               function_ref<void(StringRef step)> check) {
   function.removeFnAttr(Attribute::OptimizeNone);
   FunctionPassManager simplify;
   simplify.addPass(SROAPass(SROAOptions::ModifyCFG));
@@ -176,8 +177,14 @@ void normalize(Function &function, FunctionAnalysisManager &analyses) {
     analyses.invalidate(function, preserved);
   };
   run(simplify);
+  check("simplification");
 
   bool again = false;
+  if (accessKnownVariables(function)) {
+    analyses.invalidate(function, PreservedAnalyses::none());
+    check("moving accesses to variables");
+    again = true;
+  }
   if (usesVectors(function)) {
     FunctionPassManager scalarize;
     ScalarizerPassOptions options;
@@ -186,10 +193,12 @@ void normalize(Function &function, FunctionAnalysisManager &analyses) {
     scalarize.addPass(ScalarizerPass(options));
     scalarize.addPass(DCEPass());
     run(scalarize);
+    check("taking vectors apart");
     again = true;
   }
   if (expandMemoryIntrinsics(function, analyses.getResult<TargetIRAnalysis>(function))) {
     analyses.invalidate(function, PreservedAnalyses::none());
+    check("expansion of memory intrinsics");
     again = true;
   }
   if (again) {
@@ -207,6 +216,7 @@ void normalize(Function &function, FunctionAnalysisManager &analyses) {
   run(shape);
   foldTrivialBranches(function);
   analyses.invalidate(function, PreservedAnalyses::none());
+  check("lowering of switches");
   FunctionPassManager loops;
   loops.addPass(UnifyFunctionExitNodesPass());
   loops.addPass(FixIrreduciblePass());
@@ -215,13 +225,14 @@ void normalize(Function &function, FunctionAnalysisManager &analyses) {
   run(loops);
   foldTrivialBranches(function);
   analyses.invalidate(function, PreservedAnalyses::none());
+  check("normalisation of loops");
 }
 
 PreservedAnalyses NormalizePass::run(Function &function, FunctionAnalysisManager &analyses) {
   if (function.isDeclaration() || variantNames(function.getAttributes()).empty() ||
       !whyNotWidenable(function).empty())
     return PreservedAnalyses::all();
-  normalize(function, analyses);
+  normalize(function, analyses, [](StringRef) {});
   return PreservedAnalyses::none();
 }
 

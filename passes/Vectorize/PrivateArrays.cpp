@@ -15,12 +15,15 @@
 
 #include "llvm/ADT/MapVector.h"
 #include "llvm/ADT/SetVector.h"
+#include "llvm/ADT/SmallPtrSet.h"
+#include "llvm/Analysis/ValueTracking.h"
 #include "llvm/IR/IRBuilder.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/IntrinsicInst.h"
 #include "llvm/IR/Module.h"
 #include "llvm/IR/Operator.h"
 #include "llvm/IR/PatternMatch.h"
+#include "llvm/Transforms/Utils/BasicBlockUtils.h"
 
 using namespace llvm;
 using namespace llvm::PatternMatch;
@@ -181,6 +184,81 @@ uint64_t accessSize(const AllocaInst &variable) {
   PrivateArray array(const_cast<AllocaInst &>(variable));
   return array.findPointers() ? array.elementSize() : 0;
 }
+
+//===-- Which variable ------------------------------------------------------===//
+
+/// The first access to memory in a phi's block, if it goes through the phi and could as well happen
+/// before the block.
+static Instruction *firstAccess(PHINode &phi) {
+  for (Instruction &instruction : *phi.getParent()) {
+    if (isa<PHINode>(instruction) || (!instruction.mayReadOrWriteMemory() &&
+                                      isGuaranteedToTransferExecutionToSuccessor(&instruction)))
+      continue;
+    if (auto *load = dyn_cast<LoadInst>(&instruction))
+      return load->isSimple() && load->getPointerOperand() == &phi ? load : nullptr;
+    auto *store = dyn_cast<StoreInst>(&instruction);
+    if (!store || !store->isSimple() || store->getPointerOperand() != &phi)
+      return nullptr;
+    auto *value = dyn_cast<Instruction>(store->getValueOperand());
+    bool isKnownBefore = !value || isa<PHINode>(value) || value->getParent() != phi.getParent();
+    return isKnownBefore && value != &phi ? store : nullptr;
+  }
+  return nullptr;
+}
+
+/// A phi of variables, each by an edge of its own.
+static bool choosesVariable(PHINode &phi) {
+  SmallPtrSet<BasicBlock *, 8> seen;
+  return phi.getType()->isPointerTy() && phi.getNumIncomingValues() > 1 &&
+         all_of(phi.incoming_values(), [](const Use &value) { return isa<AllocaInst>(value); }) &&
+         all_of(phi.blocks(), [&](BasicBlock *block) {
+           return seen.insert(block).second && !isa<IndirectBrInst>(block->getTerminator());
+         });
+}
+
+static void moveToEdges(PHINode &phi, Instruction &access) {
+  BasicBlock *block = phi.getParent();
+  PHINode *loaded = nullptr;
+  if (isa<LoadInst>(access)) {
+    loaded = PHINode::Create(access.getType(), phi.getNumIncomingValues());
+    loaded->insertBefore(block->begin());
+  }
+  SmallVector<BasicBlock *, 8> sources(phi.blocks());
+  for (BasicBlock *source : sources) {
+    BasicBlock *edge = SplitEdge(source, block);
+    auto onEdge = [&](Value *value) {
+      auto *other = dyn_cast<PHINode>(value);
+      return other && other->getParent() == block ? other->getIncomingValueForBlock(edge) : value;
+    };
+    Instruction *moved = access.clone();
+    moved->insertBefore(edge->getTerminator());
+    for (Use &operand : moved->operands())
+      operand.set(onEdge(operand));
+    if (loaded)
+      loaded->addIncoming(moved, edge);
+  }
+  if (loaded)
+    access.replaceAllUsesWith(loaded);
+  access.eraseFromParent();
+}
+
+bool accessKnownVariables(Function &function) {
+  bool changed = false;
+  for (BasicBlock &block : make_early_inc_range(function))
+    for (PHINode &phi : make_early_inc_range(block.phis())) {
+      if (!choosesVariable(phi))
+        continue;
+      while (Instruction *access = firstAccess(phi)) {
+        moveToEdges(phi, *access);
+        changed = true;
+      }
+      if (phi.use_empty())
+        phi.eraseFromParent();
+    }
+  return changed;
+}
+
+//===-- Layout --------------------------------------------------------------===//
 
 bool interleavePrivateArrays(Function &function, unsigned width) {
   SmallVector<AllocaInst *, 8> variables;

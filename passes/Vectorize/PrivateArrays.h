@@ -25,6 +25,11 @@ bool interleavePrivateArrays(llvm::Function &function, unsigned width);
 /// The size in bytes of an element of a variable laid out element by element; 0 for others.
 uint64_t interleavedElementSize(const llvm::AllocaInst &variable);
 
+/// Where control decides which of several variables is loaded from or stored to, moves the access
+/// to where each is known, so that the variables may become registers. LLVM leaves such accesses
+/// when it unrolls a loop over an array. Returns whether anything changed.
+bool accessKnownVariables(llvm::Function &function);
+
 /// The size in bytes of all that is loaded from and stored to a variable, if it is one size; else
 /// 0. What copies or fills memory does not count.
 uint64_t accessSize(const llvm::AllocaInst &variable);

@@ -283,8 +283,7 @@ Function *VariantMaker::normalized(Function &scalar) {
     mindFlags(*copy);
     verify(*copy, "minding flags");
   }
-  normalize(*copy, functionAnalyses);
-  verify(*copy, "normalisation");
+  normalize(*copy, functionAnalyses, [&](StringRef step) { verify(*copy, step); });
   return copy;
 }
 
@@ -309,6 +308,10 @@ void VariantMaker::setAttributes(Function &wide, const Function &scalar, const V
     std::string list = scalar.getFnAttribute("target-features").getValueAsString().str();
     wide.addFnAttr("target-features", list.empty() ? features.str() : list + "," + features.str());
   }
+  // LLVM takes AVX2's gathers for slow unless told otherwise, and loads lane by lane.
+  if (StringRef list = wide.getFnAttribute("target-features").getValueAsString();
+      list.contains("+avx2") && !list.contains("fast-gather"))
+    wide.addFnAttr("target-features", (list + ",+fast-gather").str());
   unsigned bits = registerBits(name.isa, true);
   if (!bits) {
     bits = std::max<unsigned>(32 * name.width, widestVector(wide.getFunctionType()));
@@ -386,10 +389,8 @@ bool VariantMaker::make(const Job &job) {
   functionAnalyses.clear(*copy, copy->getName());
   copy->eraseFromParent();
   verify(wide, "widening");
-  if (options.cleanUp) {
-    cleanUp(wide, functionAnalyses);
-    verify(wide, "clean-up");
-  }
+  if (options.cleanUp)
+    cleanUp(wide, functionAnalyses, [&](StringRef step) { verify(wide, step); });
   DebugLoc place;
   if (DISubprogram *subprogram = scalar.getSubprogram())
     place = DILocation::get(scalar.getContext(), subprogram->getLine(), 0, subprogram);

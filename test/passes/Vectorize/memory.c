@@ -62,3 +62,8 @@ float local(float x) {
   float *p = x > 0 ? &a[0] : &a[1];
   return *p;
 }
+
+// AVX2's own gather, which LLVM replaces by a load for each lane unless it is told that gathers are fast.
+// RUN: clang -O1 -mavx2 -S -x ir %t.ll -o - | FileCheck --check-prefix=ASM %s
+// ASM-LABEL: _ZGVdN8uv_table:
+// ASM: vgatherdps
