@@ -166,6 +166,26 @@ inline double numberOf(double x) { return x; }
 template <typename Real>
 inline constexpr bool isScalarOnly = false;
 
+/// Whether two bounds are known of a number.
+template <typename Real>
+inline constexpr bool hasBounds = false;
+
+/// The integer part of the least number that x may be.
+template <typename Real>
+inline Real lowestFloor(const Real &x) {
+  return floorOf(x);
+}
+
+/// The smaller and the larger of two numbers; of equal ones, and if one is NaN, the first.
+template <typename Real>
+inline Real smallerOf(const Real &a, const Real &b) {
+  return select(b < a, b, a);
+}
+template <typename Real>
+inline Real largerOf(const Real &a, const Real &b) {
+  return select(b > a, b, a);
+}
+
 //===-- Derivatives ---------------------------------------------------------------------------===//
 // A plain number has none. <anysl/dual.h> has the same names for numbers that do.
 

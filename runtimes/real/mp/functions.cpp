@@ -11,6 +11,9 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include <anysl/real.h>
+
+// A test uses these beside another real.
+#include <anysl/mp.h>
 #include <mpfr.h>
 
 #ifdef ANYSL_IS_BITCODE

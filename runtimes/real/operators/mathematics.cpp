@@ -18,12 +18,8 @@ namespace {
 
 /// If one operand is NaN, both give the other one or NaN alike at every width: a comparison
 /// decides.
-constexpr auto smaller = [](const anysl_float &a, const anysl_float &b) {
-  return select(b < a, b, a);
-};
-constexpr auto larger = [](const anysl_float &a, const anysl_float &b) {
-  return select(b > a, b, a);
-};
+constexpr auto smaller = [](const anysl_float &a, const anysl_float &b) { return smallerOf(a, b); };
+constexpr auto larger = [](const anysl_float &a, const anysl_float &b) { return largerOf(a, b); };
 
 } // namespace
 

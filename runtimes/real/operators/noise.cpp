@@ -52,7 +52,7 @@ struct Point {
 template <int N>
 void locate(Cell<N> &cell, const Point<N> &p) {
   repeat<N>([&](auto axis) {
-    anysl_float floored = floorOf(p.coordinate[axis]);
+    anysl_float floored = lowestFloor(p.coordinate[axis]);
     cell.low[axis] = latticeCell(floored) * axisKey[axis];
     cell.high[axis] = cell.low[axis] + axisKey[axis];
     cell.setFraction(axis, p.coordinate[axis] - floored);
@@ -63,7 +63,7 @@ void locate(Cell<N> &cell, const Point<N> &p) {
 template <int N>
 void locate(Cell<N> &cell, const Point<N> &p, const Point<N> &periods) {
   repeat<N>([&](auto axis) {
-    anysl_float floored = floorOf(p.coordinate[axis]);
+    anysl_float floored = lowestFloor(p.coordinate[axis]);
     anysl_float period = floorOf(periods.coordinate[axis]);
     period = select(period >= 1, period, anysl_float(1));
     anysl_float low = modulo(floored, period), high = low + 1;
@@ -160,39 +160,113 @@ void put(anysl_vector *result, const Values<3> &v) {
   *result = {v.channel[0], v.channel[1], v.channel[2]};
 }
 
-template <int N, typename Result>
-void putBlended(Result *result, const Cell<N> &cell) {
-  constexpr int channels = channelsOf(static_cast<Result *>(nullptr));
-  Values<channels> values;
+template <int Channels, int N>
+void setBlended(Values<Channels> &values, const Cell<N> &cell) {
   blend(values, cell);
-  repeat<channels>([&](auto k) {
+  repeat<Channels>([&](auto k) {
     values.channel[k] = values.channel[k] * anysl_float(noiseScale[N]) + anysl_float(0.5);
+  });
+}
+
+//===-- Points of which bounds are known ------------------------------------------------------===//
+
+/// Calls f for the part of p in each cell that it may be in, from the axis Axis on. Gives false if
+/// along some axis there are more than two.
+template <int Axis = 0, int N, typename F>
+bool forEachPart(Point<N> &p, F &&f) {
+  if constexpr (Axis == N) {
+    f();
+    return true;
+  } else {
+    auto whole = p.coordinate[Axis], cells = floorOf(whole);
+    if (!(cells.high - cells.low <= 1))
+      return false;
+    p.coordinate[Axis] = within(whole, cells.low, cells.low + 1);
+    bool areFew = forEachPart<Axis + 1>(p, f);
+    if (cells.high > cells.low) {
+      p.coordinate[Axis] = within(whole, cells.high, cells.high + 1);
+      areFew = areFew && forEachPart<Axis + 1>(p, f);
+    }
+    p.coordinate[Axis] = whole;
+    return areFew;
+  }
+}
+
+/// Whether the lattice points about p are known on a lattice that repeats: its periods are, and no
+/// integer on the way to them is rounded.
+template <int N>
+bool isLatticeKnown(const Point<N> &p, const Point<N> &periods) {
+  bool known = true;
+  repeat<N>([&](auto axis) {
+    auto period = floorOf(periods.coordinate[axis]), x = absOf(p.coordinate[axis]);
+    known = known && period.low == period.high && period.high < 0x1p22f && x.high < 0x1p22f;
+  });
+  return known;
+}
+
+/// Noise of p, which f(values, point) gives in one cell. Of a number with bounds, what it can be in
+/// all cells, if the lattice's periods are known.
+template <int Channels, int N, typename F>
+void overCells(Values<Channels> &values, const Point<N> &p, F &&f,
+               const Point<N> *periods = nullptr) {
+  if constexpr (hasBounds<anysl_float>) {
+    Values<Channels> all;
+    bool isFirst = true;
+    Point<N> part = p;
+    bool isKnown = !periods || isLatticeKnown(p, *periods);
+    bool areFew = isKnown && forEachPart(part, [&] {
+                    f(values, part);
+                    repeat<Channels>([&](auto k) {
+                      auto &known = all.channel[k];
+                      known = isFirst ? values.channel[k] : hull(known, values.channel[k]);
+                    });
+                    isFirst = false;
+                  });
+    repeat<Channels>([&](auto k) {
+      using Known = decltype(all.channel[0] * 0);
+      values.channel[k] = areFew ? within(all.channel[k], 0, 1) : Known(0.0f, 1.0f);
+    });
+  } else {
+    f(values, p);
+  }
+}
+
+//===-- Families ------------------------------------------------------------------------------===//
+
+template <int N, typename Result>
+void noise(Result *result, const Point<N> &p) {
+  Values<channelsOf(static_cast<Result *>(nullptr))> values;
+  overCells(values, p, [](auto &values, const Point<N> &p) {
+    Cell<N> cell;
+    locate(cell, p);
+    setBlended(values, cell);
   });
   put(result, values);
 }
 
 template <int N, typename Result>
-void noise(Result *result, const Point<N> &p) {
-  Cell<N> cell;
-  locate(cell, p);
-  putBlended(result, cell);
-}
-
-template <int N, typename Result>
 void periodicNoise(Result *result, const Point<N> &p, const Point<N> &periods) {
-  Cell<N> cell;
-  locate(cell, p, periods);
-  putBlended(result, cell);
+  Values<channelsOf(static_cast<Result *>(nullptr))> values;
+  auto inCell = [&periods](auto &values, const Point<N> &p) {
+    Cell<N> cell;
+    locate(cell, p, periods);
+    setBlended(values, cell);
+  };
+  overCells(values, p, inCell, &periods);
+  put(result, values);
 }
 
 template <int N, typename Result>
 void cellNoise(Result *result, const Point<N> &p) {
   constexpr int channels = channelsOf(static_cast<Result *>(nullptr));
-  uint32_t key = origin;
-  repeat<N>([&](auto axis) { key += latticeCell(floorOf(p.coordinate[axis])) * axisKey[axis]; });
   Values<channels> values;
-  repeat<channels>(
-      [&](auto k) { values.channel[k] = unitFromBits(mixBits(key + k * goldenStep)); });
+  overCells(values, p, [](auto &values, const Point<N> &p) {
+    uint32_t key = origin;
+    repeat<N>(
+        [&](auto axis) { key += latticeCell(lowestFloor(p.coordinate[axis])) * axisKey[axis]; });
+    repeat<channels>(
+        [&](auto k) { values.channel[k] = unitFromBits(mixBits(key + k * goldenStep)); });
+  });
   put(result, values);
 }
 

@@ -74,7 +74,7 @@ void boundary(const anysl_vector &I, const anysl_vector &N, const anysl_float &e
 /// eta I - (eta c + sqrt(k)) N, or the zero vector.
 void refracted(anysl_vector *result, const anysl_vector &I, const anysl_vector &N, anysl_float eta,
                anysl_float c, anysl_float k) {
-  bool passes = k >= 0;
+  auto passes = k >= 0;
   anysl_float alongN = eta * c + squareRoot(k), zero(0);
   auto component = [=](const anysl_float &i, const anysl_float &n) {
     return select(passes, eta * i - alongN * n, zero);

@@ -80,16 +80,19 @@ anysl_float pick(const anysl_float &i, const anysl_float &a, const anysl_float &
 
 void replace(const anysl_float &i, const anysl_float &x, anysl_float &a, anysl_float &b,
              anysl_float &c) {
-  bool isLast = i >= 2, isMiddle = i >= 1;
+  auto isLast = i >= 2, isMiddle = i >= 1;
   a = select(isMiddle, a, x);
   b = select(isMiddle & !isLast, x, b);
   c = select(isLast, x, c);
 }
 
 /// Whether `i`, floored and clamped to [0, 3], is `k`.
-bool names(const anysl_float &i, int k) {
-  bool isBelow = k < 3 && i >= k + 1;
-  bool reaches = k == 0 || i >= k;
+auto names(const anysl_float &i, int k) {
+  auto isBelow = i >= k + 1, reaches = i >= k;
+  if (k == 3)
+    isBelow = false;
+  if (k == 0)
+    reaches = true;
   return reaches & !isBelow;
 }
 
@@ -115,7 +118,7 @@ void anysl_get_matrix(anysl_float *result, const anysl_matrix *a, const anysl_fl
                       const anysl_float *column) {
   anysl_float found(0);
   repeat<16>([&](auto k) {
-    bool isRow = names(*row, k / 4), isColumn = names(*column, k % 4);
+    auto isRow = names(*row, k / 4), isColumn = names(*column, k % 4);
     found = select(isRow & isColumn, a->m[k / 4][k % 4], found);
   });
   *result = found;
@@ -126,7 +129,7 @@ void anysl_set_matrix(anysl_matrix *a, const anysl_float *row, const anysl_float
   anysl_float value = *x;
   repeat<16>([&](auto k) {
     anysl_float &element = a->m[k / 4][k % 4];
-    bool isRow = names(*row, k / 4), isColumn = names(*column, k % 4);
+    auto isRow = names(*row, k / 4), isColumn = names(*column, k % 4);
     element = select(isRow & isColumn, value, element);
   });
 }
