@@ -1,14 +1,15 @@
-/*===-- anysl/abi.h - what a compiled shader library and a renderer agree on -------------*- C -*-===
+/*===-- anysl/abi.h - what a compiled shader library and a renderer agree on -------------*- C
+ *-*-===
  *
  * Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
  * SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
  *
  *===--------------------------------------------------------------------------------------------===
  *
- * The binary interface between three programs that never see each other's sources: the shader library
- * (written by anysl-link), the runtime inside it (compiled by clang from runtimes/), and the renderer.
- * Plain C99 data, no functions. A renderer normally includes <anysl/anysl.h>, whose loader checks all
- * of this; a runtime includes it through <anysl/runtime.h>.
+ * The binary interface between three programs that never see each other's sources: the shader
+ *library (written by anysl-link), the runtime inside it (compiled by clang from runtimes/), and the
+ *renderer. Plain C99 data, no functions. A renderer normally includes <anysl/anysl.h>, whose loader
+ *checks all of this; a runtime includes it through <anysl/runtime.h>.
  *
  *===--------------------------------------------------------------------------------------------===*/
 
@@ -36,7 +37,8 @@ typedef enum AnyslGlobal {
   ANYSL_GLOBAL_COUNT
 } AnyslGlobal;
 
-/** Where each global's first component lies among all components: ANYSL_COMPONENT_P = 0, ..._N = 3 */
+/** Where each global's first component lies among all components: ANYSL_COMPONENT_P = 0, ..._N = 3
+ */
 enum {
   ANYSL_COMPONENT_START = -1,
 #define ANYSL_GLOBAL(id, name, type, components, storage, doc)                                     \
@@ -68,7 +70,8 @@ typedef enum AnyslShaderKind {
 typedef enum AnyslLayout {
   /** globals[component] points to one array per component (structure of arrays). */
   ANYSL_LAYOUT_SOA = 1,
-  /** globals[0] points to an array of points, each ANYSL_COMPONENT_COUNT reals (array of structures). */
+  /** globals[0] points to an array of points, each ANYSL_COMPONENT_COUNT reals (array of
+     structures). */
   ANYSL_LAYOUT_AOS
 } AnyslLayout;
 
@@ -92,23 +95,25 @@ enum {
   ANYSL_LIGHT_CASTS_SHADOW = 1,
   ANYSL_LIGHT_NONDIFFUSE = 2,
   ANYSL_LIGHT_NONSPECULAR = 4,
-  ANYSL_LIGHT_AMBIENT = 8,        /**< shader: only ambient() sees it */
-  ANYSL_LIGHT_FAR = 16,           /**< shader: L is a direction, so that shadows come from far away */
-  ANYSL_LIGHT_COMPUTES_FLAGS = 32 /**< shader: __nondiffuse or __nonspecular are results of its own */
+  ANYSL_LIGHT_AMBIENT = 8, /**< shader: only ambient() sees it */
+  ANYSL_LIGHT_FAR = 16,    /**< shader: L is a direction, so that shadows come from far away */
+  ANYSL_LIGHT_COMPUTES_FLAGS =
+      32 /**< shader: __nondiffuse or __nonspecular are results of its own */
 };
 
 /** A light, in the shaders' ("current") space. Of the standard kinds none is ambient. */
 typedef struct AnyslLight {
-  uint32_t kind;        /**< AnyslLightKind */
-  uint32_t flags;       /**< ANYSL_LIGHT_... */
-  float color[3];       /**< light colour times intensity; shader: what its Cl is multiplied by */
-  float from[3];        /**< position (point, spot); shader: its P */
-  float direction[3];   /**< unit vector in which the light travels (distant, spot); shader: its N */
-  float cos_outer;      /**< spot: no light where the angle's cosine is below this */
-  float cos_inner;      /**< spot: full light where it is above this */
-  float beam;           /**< spot: exponent of the cosine */
+  uint32_t kind;      /**< AnyslLightKind */
+  uint32_t flags;     /**< ANYSL_LIGHT_... */
+  float color[3];     /**< light colour times intensity; shader: what its Cl is multiplied by */
+  float from[3];      /**< position (point, spot); shader: its P */
+  float direction[3]; /**< unit vector in which the light travels (distant, spot); shader: its N */
+  float cos_outer;    /**< spot: no light where the angle's cosine is below this */
+  float cos_inner;    /**< spot: full light where it is above this */
+  float beam;         /**< spot: exponent of the cosine */
   const char *category; /**< the categories that it belongs to, comma-separated; null: none */
-  const void *shader;   /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
+  const void
+      *shader; /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
 } AnyslLight;
 
 struct AnyslShadeArgs;
@@ -119,29 +124,29 @@ struct AnyslShadeArgs;
 /** What a lookup in a picture asks for; the same for all points of a call. */
 typedef struct AnyslTextureRequest {
   uint32_t struct_size;
-  uint32_t channels;      /**< how many values: 1 or 3 */
+  uint32_t channels; /**< how many values: 1 or 3 */
   uint32_t first_channel;
-  uint32_t samples;       /**< shadow: how many depths to compare */
-  const char *name;       /**< of the file, never null */
-  const char *filter;     /**< between texels; "": the renderer's choice */
-  const char *swrap;      /**< outside of [0, 1] along s; "": what the file says */
+  uint32_t samples;   /**< shadow: how many depths to compare */
+  const char *name;   /**< of the file, never null */
+  const char *filter; /**< between texels; "": the renderer's choice */
+  const char *swrap;  /**< outside of [0, 1] along s; "": what the file says */
   const char *twrap;
-  float fill;             /**< of channels that the file lacks; ANYSL_NO_FILL: none given */
-  float bias;             /**< shadow: by how much a depth must be nearer than the point */
+  float fill; /**< of channels that the file lacks; ANYSL_NO_FILL: none given */
+  float bias; /**< shadow: by how much a depth must be nearer than the point */
 } AnyslTextureRequest;
 
 /** Where to look: for each number an array with one element a point. */
 typedef struct AnyslTexturePoints {
   uint32_t struct_size;
-  const float *at[3];     /**< texture: s and t; environment: a direction; shadow: a point */
-  const float *dx[3];     /**< the filter's axes: the edges of a parallelogram about that place */
+  const float *at[3]; /**< texture: s and t; environment: a direction; shadow: a point */
+  const float *dx[3]; /**< the filter's axes: the edges of a parallelogram about that place */
   const float *dy[3];
-  const float *blur[2];   /**< what to add to the filter along s and t, as a share of the picture */
+  const float *blur[2]; /**< what to add to the filter along s and t, as a share of the picture */
 } AnyslTexturePoints;
 
 /**
- * A lookup for `width` points (at most 16) from `first` on; bit i of `mask` says that point first + i
- * asks. Value c of point i goes to result[c * width + i].
+ * A lookup for `width` points (at most 16) from `first` on; bit i of `mask` says that point first +
+ * i asks. Value c of point i goes to result[c * width + i].
  */
 typedef void AnyslTextureService(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
                                  uint32_t width, uint32_t mask, const AnyslTextureRequest *request,
@@ -150,11 +155,11 @@ typedef void AnyslTextureService(void *renderer, const struct AnyslShadeArgs *ar
 /** What rays meet first, for each number an array with one element a point. */
 typedef struct AnyslHits {
   uint32_t struct_size;
-  uint32_t shades;        /**< whether color and opacity are asked for */
-  float *distance;        /**< along the direction of unit length; below 0: nothing was met */
-  float *N[3];            /**< the shading normal there, of unit length, facing the ray's origin */
-  float *Ng[3];           /**< the geometric normal there, likewise */
-  float *color[3];        /**< what the surface sends back; of a ray that met nothing, what arrives */
+  uint32_t shades; /**< whether color and opacity are asked for */
+  float *distance; /**< along the direction of unit length; below 0: nothing was met */
+  float *N[3];     /**< the shading normal there, of unit length, facing the ray's origin */
+  float *Ng[3];    /**< the geometric normal there, likewise */
+  float *color[3]; /**< what the surface sends back; of a ray that met nothing, what arrives */
   float *opacity[3];
 } AnyslHits;
 
@@ -178,19 +183,21 @@ typedef struct AnyslQuery {
 } AnyslQuery;
 
 /**
- * What a renderer does for its shaders. A null function is one that the renderer does not offer; asking
- * for it gives the stated neutral value. Every function may be called by many threads at once.
+ * What a renderer does for its shaders. A null function is one that the renderer does not offer;
+ * asking for it gives the stated neutral value. Every function may be called by many threads at
+ * once.
  *
- * The packet forms serve `width` consecutive points from `first` at once; bit i of `mask` says that point
- * first + i asks. Vectors lie as x[width] y[width] z[width]; results of points that do not ask are ignored.
+ * The packet forms serve `width` consecutive points from `first` at once; bit i of `mask` says that
+ * point first + i asks. Vectors lie as x[width] y[width] z[width]; results of points that do not
+ * ask are ignored.
  */
 typedef struct AnyslServices {
   uint32_t struct_size;
   /** The light arriving at P from direction R (need not be of unit length). Neutral: black. */
-  void (*trace)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, const double P[3],
-                const double R[3], double color[3]);
-  void (*trace_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first, uint32_t width,
-                       uint32_t mask, const float *P, const float *R, float *color);
+  void (*trace)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                const double P[3], const double R[3], double color[3]);
+  void (*trace_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
+                       uint32_t width, uint32_t mask, const float *P, const float *R, float *color);
   /** The distance from P to the first surface in direction R. Neutral: 1e30. */
   double (*trace_distance)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
                            const double P[3], const double R[3]);
@@ -203,10 +210,10 @@ typedef struct AnyslServices {
   void (*transmission_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
                               uint32_t width, uint32_t mask, const float *from, const float *to,
                               float *color);
-  /** The matrix (row by row, for row vectors) between named coordinate systems; returns 0 and leaves
-      the matrix alone where a name is unknown. Neutral: identity. */
-  int (*space_matrix)(void *renderer, const struct AnyslShadeArgs *args, const char *from, const char *to,
-                      double matrix[16]);
+  /** The matrix (row by row, for row vectors) between named coordinate systems; returns 0 and
+     leaves the matrix alone where a name is unknown. Neutral: identity. */
+  int (*space_matrix)(void *renderer, const struct AnyslShadeArgs *args, const char *from,
+                      const char *to, double matrix[16]);
   /**
    * Text made while shading. libanysl has these; where they are null, its own count
    * (lib/Host/Text.h), so that a renderer only gives what it wants to do otherwise, commonly
@@ -238,13 +245,13 @@ typedef struct AnyslServices {
   AnyslTextureService *shadow;
   /** What rays from P (x, y and z, an array each) along R (of any length) meet within `reach`, for
       `width` points (at most 16) from `first` on. Neutral: nothing. */
-  void (*trace_hit)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first, uint32_t width,
-                    uint32_t mask, const float *const P[3], const float *const R[3],
+  void (*trace_hit)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
+                    uint32_t width, uint32_t mask, const float *const P[3], const float *const R[3],
                     const float *reach, const AnyslHits *hits);
   /**
-   * Runs the light shader args->lights[light] for a position P with normal N: nine numbers, L from P
-   * to the light, Cl and Ol. L is zero where no light arrives. These three services are libanysl's
-   * own where they are null.
+   * Runs the light shader args->lights[light] for a position P with normal N: nine numbers, L from
+   * P to the light, Cl and Ol. L is zero where no light arrives. These three services are
+   * libanysl's own where they are null.
    */
   void (*light)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, uint32_t light,
                 const double P[3], const double N[3], double result[9]);
@@ -257,11 +264,11 @@ typedef struct AnyslServices {
                      uint32_t light, const double P[3], const double N[3], const char *name,
                      uint32_t type, AnyslCell *value);
   /**
-   * Calls a method of another shader at one point. Gives 1 if there are such a shader and method, else
-   * 0; libanysl's anysl_method_call() does it. `method` is
-   *   "bump(tf)f"  a name, the arguments' types (f float, t triple, m matrix), the result's (v: none);
-   *                values are the arguments' numbers, and afterwards what the method made of them, and
-   *                behind them, or where no room is left from the first on, the result
+   * Calls a method of another shader at one point. Gives 1 if there are such a shader and method,
+   * else 0; libanysl's anysl_method_call() does it. `method` is "bump(tf)f"  a name, the arguments'
+   * types (f float, t triple, m matrix), the result's (v: none); values are the arguments' numbers,
+   * and afterwards what the method made of them, and behind them, or where no room is left from the
+   * first on, the result
    *   ".Kd"        a parameter; values are set to its numbers
    *   ""           whether there is such a shader
    * Neutral: 0.
@@ -270,8 +277,8 @@ typedef struct AnyslServices {
                      const char *shader, const char *method, double values[32]);
   /** The name of shader number `index` among those of a category (""; all) that methods of can be
       called; null behind the last. Neutral: there are none. */
-  const char *(*shader_name)(void *renderer, const struct AnyslShadeArgs *args, const char *category,
-                             uint32_t index);
+  const char *(*shader_name)(void *renderer, const struct AnyslShadeArgs *args,
+                             const char *category, uint32_t index);
   /**
    * Answers a question. If there is such a thing and the variable can take its value as the shading
    * language would assign it (anysl_answer() of libanysl decides), sets `value`, as many cells as
@@ -287,37 +294,39 @@ typedef struct AnyslServices {
 /** The name by which a shader asks for the name of another, or of itself, as a string. */
 #define ANYSL_QUERY_SHADER_NAME "shadername"
 
-/** A batch of points that share one set of parameters. The host fills it; shaders change only outputs. */
+/** A batch of points that share one set of parameters. The host fills it; shaders change only
+ * outputs. */
 typedef struct AnyslShadeArgs {
   uint32_t struct_size;
-  uint32_t count;                 /**< points in the arrays; they are readable and writable up to a
-                                       multiple of 16 points */
-  AnyslCell *params;              /**< AnyslShaderInfo::cell_count cells */
-  const uint8_t *param_is_set;    /**< one byte a parameter: bit ANYSL_PARAM_GIVEN, that the host has
-                                       given it, where defaults are computed; ANYSL_PARAM_ONLY_OUT, that
-                                       its array in param_data is for results alone, where shading */
-  void *const *param_data;        /**< one pointer a parameter, or null: its values point by point; null
-                                       pointer where it has none. Component c of array element e at
-                                       point p of a type with n components is at
-                                       SoA: [(e*n + c) * data_stride + p],
-                                       AoS: [(e * data_stride + p) * n + c] */
-  void *const *globals;           /**< as AnyslLayout says; only those the shader names need be there.
-                                       Uniform globals: SoA one value, AoS taken from each point */
-  size_t data_stride;             /**< in param_data: points from one component (SoA) or array element
-                                       (AoS) to the next */
-  const uint32_t *seeds;          /**< start of each point's random sequence; null: the point's number */
-  const AnyslServices *services;  /**< never null */
-  void *renderer;                 /**< handed back to every service */
-  void *batch;                    /**< the renderer's own, untouched */
-  const AnyslLight *lights;       /**< the lights that shine on this batch */
+  uint32_t count;    /**< points in the arrays; they are readable and writable up to a
+                          multiple of 16 points */
+  AnyslCell *params; /**< AnyslShaderInfo::cell_count cells */
+  const uint8_t
+      *param_is_set;       /**< one byte a parameter: bit ANYSL_PARAM_GIVEN, that the host has
+                                given it, where defaults are computed; ANYSL_PARAM_ONLY_OUT, that
+                                its array in param_data is for results alone, where shading */
+  void *const *param_data; /**< one pointer a parameter, or null: its values point by point; null
+                                pointer where it has none. Component c of array element e at
+                                point p of a type with n components is at
+                                SoA: [(e*n + c) * data_stride + p],
+                                AoS: [(e * data_stride + p) * n + c] */
+  void *const *globals;    /**< as AnyslLayout says; only those the shader names need be there.
+                                Uniform globals: SoA one value, AoS taken from each point */
+  size_t data_stride;      /**< in param_data: points from one component (SoA) or array element
+                                (AoS) to the next */
+  const uint32_t *seeds;   /**< start of each point's random sequence; null: the point's number */
+  const AnyslServices *services; /**< never null */
+  void *renderer;                /**< handed back to every service */
+  void *batch;                   /**< the renderer's own, untouched */
+  const AnyslLight *lights;      /**< the lights that shine on this batch */
   uint32_t light_count;
-  float ambient[3];               /**< sum of the ambient lights that are no shaders */
+  float ambient[3];                       /**< sum of the ambient lights that are no shaders */
   const struct AnyslLibraryInfo *library; /**< the shader's own: how the arrays are laid out; may be
                                        null, and then light shaders see nothing of them */
-  uint64_t globals_given;         /**< bit ANYSL_P and so on: which globals hold values, for light
-                                       shaders to see the ones that they read */
-  void *light_cache;              /**< libanysl's: keeps what light shaders gave as long as one call
-                                       shades; null: they run each time */
+  uint64_t globals_given; /**< bit ANYSL_P and so on: which globals hold values, for light
+                               shaders to see the ones that they read */
+  void *light_cache;      /**< libanysl's: keeps what light shaders gave as long as one call
+                               shades; null: they run each time */
 } AnyslShadeArgs;
 
 /** In AnyslShadeArgs::param_is_set */
@@ -326,7 +335,11 @@ enum { ANYSL_PARAM_GIVEN = 1, ANYSL_PARAM_ONLY_OUT = 2 };
 /** Shades points [first, last). Thread safe as long as batches differ. */
 typedef void (*AnyslShadeFunction)(const AnyslShadeArgs *args, uint32_t first, uint32_t last);
 
-enum { ANYSL_PARAM_VARYING = 1, ANYSL_PARAM_OUTPUT = 2, ANYSL_PARAM_FIXED = 4 /**< given to anysl-link */ };
+enum {
+  ANYSL_PARAM_VARYING = 1,
+  ANYSL_PARAM_OUTPUT = 2,
+  ANYSL_PARAM_FIXED = 4 /**< given to anysl-link */
+};
 
 typedef struct AnyslParamInfo {
   const char *name;
@@ -349,10 +362,10 @@ typedef struct AnyslShaderInfo {
   uint32_t cell_count;
   uint32_t entry_count;
   const AnyslEntryInfo *entries;
-  uint64_t globals_read;    /**< bit ANYSL_P is set if the shader reads P, and so on */
+  uint64_t globals_read; /**< bit ANYSL_P is set if the shader reads P, and so on */
   uint64_t globals_written;
-  uint32_t services;        /**< bit i: service i of lib/STC/Services.def is asked for */
-  uint32_t effects;         /**< bit i: effect i of lib/STC/Effects.def is there */
+  uint32_t services; /**< bit i: service i of lib/STC/Services.def is asked for */
+  uint32_t effects;  /**< bit i: effect i of lib/STC/Effects.def is there */
   /** Computes the defaults of the parameters that param_is_set does not name, into params. */
   void (*init)(const AnyslShadeArgs *args);
 } AnyslShaderInfo;

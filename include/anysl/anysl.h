@@ -200,8 +200,8 @@ ANYSL_API int anysl_instance_answer(const AnyslInstance *instance, const AnyslSh
                                     uint32_t point, const AnyslQuery *query, AnyslCell *value);
 
 /** For renderers with arrays of their own: fills in what the instance knows (struct_size, params,
-    param_is_set, services, renderer, library) and sets the rest to null. The caller sets count, globals and
-   what else it has, and calls a function of anysl_shader_entry() on it. */
+    param_is_set, services, renderer, library) and sets the rest to null. The caller sets count,
+   globals and what else it has, and calls a function of anysl_shader_entry() on it. */
 ANYSL_API void anysl_instance_fill_args(const AnyslInstance *instance, AnyslShadeArgs *args);
 
 /**

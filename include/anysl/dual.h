@@ -11,6 +11,9 @@
 // derivatives by the chain rule. Comparisons look at values. docs/derivatives.md has the rules at
 // kinks (the derivative from one side) and at singular points (0).
 //
+// Dual<Dual<float>> is a number whose derivatives have derivatives in turn: the rules below apply
+// to any real, and so to numbers that carry derivatives themselves.
+//
 // The header of a real defines `anysl_number`, the plain number, and includes this file.
 //
 //===------------------------------------------------------------------------------------------===//
@@ -37,7 +40,17 @@ namespace anysl {
 #define ANYSL_OF_DERIVATIVES
 #endif
 
+template <typename Real>
+struct Dual;
+
 namespace slopes {
+
+template <typename Real>
+Dual<Real> sum(const Dual<Real> &a, const Dual<Real> &b);
+template <typename Real>
+Dual<Real> difference(const Dual<Real> &a, const Dual<Real> &b);
+template <typename Real>
+Dual<Real> product(const Dual<Real> &a, const Dual<Real> &b);
 
 template <typename Real>
 inline Real sum(Real a, Real b) {
@@ -63,6 +76,12 @@ inline Real combination(Real a, Real b, Real c, Real d) {
 } // namespace slopes
 
 //===-- The type ------------------------------------------------------------------------------===//
+
+template <typename Real>
+inline constexpr int derivativeOrder<Dual<Real>> = derivativeOrder<Real> + 1;
+
+template <typename Real>
+struct PlainNumber<Dual<Real>> : PlainNumber<Real> {};
 
 /// A number and its derivatives. It has a copy constructor of its own for the same reason as Vec.
 template <typename Real>
@@ -106,19 +125,16 @@ struct Dual {
 };
 
 template <typename Real>
-inline constexpr bool hasDerivatives<Dual<Real>> = true;
-
-template <typename Real>
-inline Real valueOf(const Dual<Real> &x) {
-  return x.value;
+inline PlainOf<Real> valueOf(const Dual<Real> &x) {
+  return valueOf(x.value);
 }
 template <typename Real>
-inline Real derivativeU(const Dual<Real> &x) {
-  return x.u;
+inline PlainOf<Real> derivativeU(const Dual<Real> &x) {
+  return valueOf(x.u);
 }
 template <typename Real>
-inline Real derivativeV(const Dual<Real> &x) {
-  return x.v;
+inline PlainOf<Real> derivativeV(const Dual<Real> &x) {
+  return valueOf(x.v);
 }
 template <typename Real>
 inline auto numberOf(const Dual<Real> &x) {
@@ -128,9 +144,27 @@ template <typename Real>
 inline constexpr bool isScalarOnly<Dual<Real>> = isScalarOnly<Real>;
 /// `value`, with the derivatives of `x`.
 template <typename Real>
-inline Dual<Real> withValue(Real value, const Dual<Real> &x) {
-  return {value, x.u, x.v};
+inline Dual<Real> withValue(PlainOf<Real> value, const Dual<Real> &x) {
+  return {withValue(value, x.value), x.u, x.v};
 }
+
+namespace slopes {
+
+template <typename Real>
+inline Dual<Real> sum(const Dual<Real> &a, const Dual<Real> &b) {
+  return {sum(a.value, b.value), sum(a.u, b.u), sum(a.v, b.v)};
+}
+template <typename Real>
+inline Dual<Real> difference(const Dual<Real> &a, const Dual<Real> &b) {
+  return {difference(a.value, b.value), difference(a.u, b.u), difference(a.v, b.v)};
+}
+template <typename Real>
+inline Dual<Real> product(const Dual<Real> &a, const Dual<Real> &b) {
+  return {product(a.value, b.value), combination(a.value, b.u, b.value, a.u),
+          combination(a.value, b.v, b.value, a.v)};
+}
+
+} // namespace slopes
 
 /// f(x), given its value and f'(x).
 template <typename Real>
@@ -149,7 +183,8 @@ inline Dual<Real> chain(Real value, Real slopeX, const Dual<Real> &x, Real slope
 
 template <typename Real>
 inline Dual<Real> select(bool condition, const Dual<Real> &a, const Dual<Real> &b) {
-  return {condition ? a.value : b.value, condition ? a.u : b.u, condition ? a.v : b.v};
+  return {select(condition, a.value, b.value), select(condition, a.u, b.u),
+          select(condition, a.v, b.v)};
 }
 template <typename Real>
 inline bool isNaN(const Dual<Real> &x) {
@@ -163,7 +198,7 @@ inline Dual<Real> negateIf(const Dual<Real> &x, uint32_t sign) {
 template <typename Real>
 inline Dual<Real> absOf(const Dual<Real> &x) {
   bool isNegative = x.value < 0;
-  return {absOf(x.value), isNegative ? -x.u : x.u, isNegative ? -x.v : x.v};
+  return {absOf(x.value), select(isNegative, -x.u, x.u), select(isNegative, -x.v, x.v)};
 }
 template <typename Real>
 inline Dual<Real> floorOf(const Dual<Real> &x) {
@@ -176,17 +211,18 @@ inline Dual<Real> ceilOf(const Dual<Real> &x) {
 template <typename Real>
 inline Dual<Real> copySign(const Dual<Real> &magnitude, const Dual<Real> &sign) {
   Dual<Real> x = absOf(magnitude);
-  bool isNegative = hasSign(sign.value);
-  return {copySign(magnitude.value, sign.value), isNegative ? -x.u : x.u, isNegative ? -x.v : x.v};
+  bool isNegative = hasSign(valueOf(sign.value));
+  return {copySign(magnitude.value, sign.value), select(isNegative, -x.u, x.u),
+          select(isNegative, -x.v, x.v)};
 }
 template <typename Real>
 inline Dual<Real> justBelow(const Dual<Real> &x) {
-  return withValue(justBelow(x.value), x);
+  return {justBelow(x.value), x.u, x.v};
 }
 template <typename Real>
 inline Dual<Real> fusedMultiplyAdd(const Dual<Real> &a, const Dual<Real> &b, const Dual<Real> &c) {
   Dual<Real> product = a * b, sum = product + c;
-  return withValue(fusedMultiplyAdd(a.value, b.value, c.value), sum);
+  return {fusedMultiplyAdd(a.value, b.value, c.value), sum.u, sum.v};
 }
 /// The powers of two are constants.
 template <typename Real>
@@ -206,7 +242,24 @@ inline int32_t toInteger(const Dual<Real> &x) {
 
 //===-- Elementary functions ------------------------------------------------------------------===//
 
+// The domain's functions, further below, of which the rules make use.
+template <typename Real>
+Dual<Real> divide(const Dual<Real> &a, const Dual<Real> &b);
+template <typename Real>
+Dual<Real> inverseSquareRoot(const Dual<Real> &x);
+template <typename Real>
+Dual<Real> logarithm(const Dual<Real> &x);
+
 namespace math {
+
+// A rule may need functions whose rules come later.
+#define MATH_UNARY(name, ...)                                                                      \
+  template <typename Real>                                                                         \
+  Dual<Real> name(const Dual<Real> &x);
+#define MATH_BINARY(name, ...)                                                                     \
+  template <typename Real>                                                                         \
+  Dual<Real> name(const Dual<Real> &x, const Dual<Real> &y);
+#include <anysl/MathFunctions.def>
 
 // Where a function has a vertical tangent, the quotients below are 0 by the domain's rules.
 
@@ -238,8 +291,8 @@ inline Dual<Real> atan(const Dual<Real> &x) {
 /// y' x / (x^2 + y^2) - x' y / (x^2 + y^2), after both were brought near 1; 0 at the origin.
 template <typename Real>
 inline Dual<Real> atan2(const Dual<Real> &y, const Dual<Real> &x) {
-  Real largest = absOf(x.value) > absOf(y.value) ? absOf(x.value) : absOf(y.value), down, up;
-  scaleFor(largest, down, up);
+  Real a0 = absOf(x.value), b0 = absOf(y.value), down, up;
+  scaleFor(select(a0 > b0, a0, b0), down, up);
   Real a = x.value * down, b = y.value * down, scale = anysl::divide(down, a * a + b * b);
   return chain(atan2(y.value, x.value), a * scale, y, -b * scale, x);
 }
@@ -300,7 +353,7 @@ inline Dual<Real> reciprocal(const Dual<Real> &x) {
 }
 template <typename Real>
 inline Dual<Real> divide(const Dual<Real> &a, const Dual<Real> &b) {
-  Real value = divide(a.value, b.value), inverse = reciprocal(b.value);
+  Real value = math::divide(a.value, b.value), inverse = reciprocal(b.value);
   return chain(value, inverse, a, -value * inverse, b);
 }
 template <typename Real>
@@ -312,7 +365,7 @@ inline Dual<Real> hypot(const Dual<Real> &x, const Dual<Real> &y) {
 template <typename Real>
 inline Dual<Real> powerRule(Real value, const Dual<Real> &x, const Dual<Real> &y) {
   Real slope = y.value * anysl::divide(value, x.value);
-  return chain(value, y.value == 1 ? Real(1) : slope, x, value * logarithm(x.value), y);
+  return chain(value, select(y.value == 1, Real(1), slope), x, value * logarithm(x.value), y);
 }
 template <typename Real>
 inline Dual<Real> pow(const Dual<Real> &x, const Dual<Real> &y) {
@@ -342,11 +395,12 @@ inline Dual<Real> inverseSquareRoot(const Dual<Real> &x) {
 template <typename Real>
 inline Dual<Real> exponential(const Dual<Real> &x) {
   Real value = exponential(x.value);
-  return chain(value, value < IeeeFormat<Real>::largestFinite ? value : Real(0), x);
+  bool isFinite = valueOf(value) < IeeeFormat<PlainOf<Real>>::largestFinite;
+  return chain(value, select(isFinite, value, Real(0)), x);
 }
 template <typename Real>
 inline Dual<Real> logarithm(const Dual<Real> &x) {
-  Real slope = x.value > 0 ? divide(Real(1), x.value) : Real(0);
+  Real slope = select(x.value > 0, divide(Real(1), x.value), Real(0));
   return chain(logarithm(x.value), slope, x);
 }
 /// Within the interval, its ends included, x itself.
@@ -364,7 +418,7 @@ template <typename Real>
 inline Dual<Real> modulo(const Dual<Real> &a, const Dual<Real> &b) {
   Real value = modulo(a.value, b.value);
   Real quotient = floorOf(divide(a.value - value, b.value) + Real(0.5));
-  return chain(value, b.value == 0 ? Real(0) : Real(1), a, -quotient, b);
+  return chain(value, select(b.value == 0, Real(0), Real(1)), a, -quotient, b);
 }
 /// (x, y, z) . (x', y', z') / |(x, y, z)|; 0 for the zero vector.
 template <typename Real>

@@ -201,15 +201,40 @@ template <typename Real>
 inline Real derivativeV(Real) {
   return 0;
 }
+/// How many times a real can be differentiated.
 template <typename Real>
-inline constexpr bool hasDerivatives = false;
-/// The number with that value and those derivatives; where Real has none, the value.
+inline constexpr int derivativeOrder = 0;
 template <typename Real>
-inline Real withDerivatives(anysl_number value, anysl_number u, anysl_number v) {
-  if constexpr (hasDerivatives<Real>)
-    return Real(value, u, v);
+inline constexpr bool hasDerivatives = (derivativeOrder<Real> > 0);
+
+/// What a real is made of: itself, or the number that it adds derivatives to.
+template <typename Real>
+struct PlainNumber {
+  using Type = Real;
+};
+template <typename Real>
+using PlainOf = typename PlainNumber<Real>::Type;
+
+/// A function of u and v at a point: its value and its derivatives of first and second order.
+template <typename Plain>
+struct Expansion {
+  Plain value, u, v, uu, uv, vv;
+};
+
+/// The number with those derivatives, as far as a real carries any.
+template <typename Real>
+inline Real expand(const Expansion<PlainOf<Real>> &x) {
+  if constexpr (derivativeOrder<Real> == 2)
+    return {{x.value, x.u, x.v}, {x.u, x.uu, x.uv}, {x.v, x.uv, x.vv}};
+  else if constexpr (hasDerivatives<Real>)
+    return {x.value, x.u, x.v};
   else
-    return value;
+    return x.value;
+}
+/// The same, whose derivatives change with neither u nor v.
+template <typename Real>
+inline Real withDerivatives(PlainOf<Real> value, PlainOf<Real> u, PlainOf<Real> v) {
+  return expand<Real>({value, u, v, 0, 0, 0});
 }
 /// `value`, with the derivatives of `x`: for a value that was computed by better means than x.
 template <typename Real>

@@ -1,4 +1,5 @@
-/*===-- anysl/notes.h - what a shader library notes of its own computation ---------------*- C -*-===
+/*===-- anysl/notes.h - what a shader library notes of its own computation ---------------*- C
+ *-*-===
  *
  * Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
  * SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -37,7 +38,7 @@ enum { ANYSL_NOTE_RESULTS = 4, ANYSL_NOTE_OPERANDS = 12 };
 
 /** A place in a shader. */
 typedef struct AnyslNoteSite {
-  uint32_t kind;          /**< AnyslNoteKind */
+  uint32_t kind; /**< AnyslNoteKind */
   uint32_t line;
   uint32_t column;
   uint32_t result_count;  /**< numbers in AnyslNote::results */

@@ -60,6 +60,37 @@ void resolveDerivativeInputs(Session &session) {
   }
 }
 
+bool resolveUnknownDerivatives(Session &session) {
+  static constexpr WarningGroup HigherOrder{"higher-order", true};
+  Function *unknown = session.module->getFunction(unknownDerivative);
+  if (!unknown)
+    return true;
+  SmallVector<CallInst *> calls;
+  for (User *user : unknown->users())
+    calls.push_back(cast<CallInst>(user));
+  if (!calls.empty()) {
+    StringRef next = realOfHigherOrder(session);
+    bool isChosen = session.real != session.options.real;
+    if (isChosen && !next.empty()) {
+      session.nextReal = next.str();
+      return false;
+    }
+    auto known = find_if(calls, [](CallInst *call) { return bool(call->getDebugLoc()); });
+    std::string message = "the derivative of a derivative is read, which real '" + session.real +
+                          "' does not carry; it is 0";
+    if (!next.empty())
+      message += "; '--real " + next.str() + "' has it";
+    session.diags.warning(known == calls.end() ? FilePosition() : stc::shaderPositionOf(**known),
+                          HigherOrder, message);
+  }
+  for (CallInst *call : calls) {
+    call->replaceAllUsesWith(Constant::getNullValue(call->getType()));
+    call->eraseFromParent();
+  }
+  unknown->eraseFromParent();
+  return true;
+}
+
 void relaxDerivatives(Module &module) {
   for (Function &function : module)
     for (Instruction &instruction : instructions(function)) {

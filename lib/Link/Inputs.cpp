@@ -97,19 +97,28 @@ std::vector<std::string> availableMathTiers(StringRef resourceDir) {
   return modulesIn(resourceDir + "/math");
 }
 
-/// The real with derivatives of a plain one; empty if there is none.
-static StringRef withDerivatives(StringRef real) {
+/// The real whose numbers have one derivative more, the least that is beyond a plain one's; empty
+/// if there is none.
+static StringRef differentiable(StringRef real) {
   return StringSwitch<StringRef>(real)
       .Case("float", "dual")
       .Case("double", "dualdouble")
       .Case("mp", "dualmp")
+      .Case("dual", "dual2")
+      .Case("dualdouble", "dual2double")
       .Default("");
 }
 
+StringRef realOfHigherOrder(const Session &session) {
+  StringRef real = differentiable(session.real);
+  bool isThere = is_contained(modulesIn(session.options.resourceDir + "/runtime"),
+                              (session.options.runtime + "." + real).str());
+  return isThere ? real : StringRef();
+}
+
 bool openLayersWithDerivatives(Session &session) {
-  StringRef real = withDerivatives(session.real);
-  if (real.empty() || !is_contained(modulesIn(session.options.resourceDir + "/runtime"),
-                                    (session.options.runtime + "." + real).str()))
+  StringRef real = realOfHigherOrder(session);
+  if (real.empty())
     return false;
   session.real = real.str();
   session.report.real = session.real;

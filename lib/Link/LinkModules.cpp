@@ -115,7 +115,7 @@ private:
 
   void request(StringRef name, const Origin &origin) {
     if (name.starts_with("llvm.") || name == "anysl_shader_body" || name == "anysl_shader_init" ||
-        name.starts_with(derivativeInputPrefix))
+        name.starts_with(derivativeInputPrefix) || name == unknownDerivative)
       return;
     const stc::OpInfo *op = stc::opOfSymbol(name);
     if (op && op->purity == stc::Purity::Structural)

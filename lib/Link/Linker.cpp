@@ -65,24 +65,24 @@ ArrayRef<StringRef> stageNames() {
   return names;
 }
 
-std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, LLVMContext &context,
-                                      ArrayRef<std::string> files, const LinkOptions &options,
-                                      TargetMachine &target) {
-  Session session(diags, context, options, target);
-  session.report.runtime = options.runtime;
-  session.report.real = options.real;
-  session.report.cpu = target.getTargetCPU().str();
-  session.widths = options.widths;
+namespace {
+
+/// Runs all stages. Gives false if linking ends early.
+bool runStages(Session &session, ArrayRef<std::string> files) {
+  session.report.runtime = session.options.runtime;
+  session.report.real = session.real;
+  session.report.cpu = session.target.getTargetCPU().str();
+  session.widths = session.options.widths;
   if (session.widths.empty())
-    session.widths = {1, nativeWidth(target)};
+    session.widths = {1, nativeWidth(session.target)};
   llvm::sort(session.widths);
   session.widths.erase(unique(session.widths), session.widths.end());
 
   // Everything that is read is verified here; no later stage meets malformed STC.
   if (!run(session, "read", [&](Session &s) { return readInputs(s, files); }))
-    return std::nullopt;
+    return false;
 
-  bool complete =
+  return
       // Constants go in while a parameter is still an operator with a cell's number.
       run(session, "specialize", specializeParams) &&
       // Reads the bodies that the shaders reach and no others, which keeps linking fast however
@@ -107,11 +107,24 @@ std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, LLVMContext &cont
       run(session, "describe", describe) &&
       // With everything internal and inlined, dead and duplicate code goes.
       run(session, "finish", finish);
-  if (!complete)
-    return std::nullopt;
-  for (Shader &shader : session.shaders)
-    session.report.shaders.push_back(std::move(shader.report));
-  return LinkResult{std::move(session.module), std::move(session.report)};
+}
+
+} // namespace
+
+std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, LLVMContext &context,
+                                      ArrayRef<std::string> files, const LinkOptions &options,
+                                      TargetMachine &target) {
+  for (std::string real = options.real;;) {
+    Session session(diags, context, options, target, real);
+    if (runStages(session, files)) {
+      for (Shader &shader : session.shaders)
+        session.report.shaders.push_back(std::move(shader.report));
+      return LinkResult{std::move(session.module), std::move(session.report)};
+    }
+    if (session.nextReal.empty())
+      return std::nullopt;
+    real = session.nextReal;
+  }
 }
 
 } // namespace anysl::link

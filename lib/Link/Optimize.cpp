@@ -115,6 +115,8 @@ bool optimize(Session &session) {
   if (carriesDerivatives(module)) {
     if (splitArrays(module))
       simplifyAgain(module, session.target);
+    if (!resolveUnknownDerivatives(session))
+      return false;
     resolveDerivativeInputs(session);
     simplifyAgain(module, session.target);
   }

@@ -56,8 +56,8 @@ struct Shader {
 /// One link. Stages take it and change it; a stage that gives false has reported an error.
 struct Session {
   Session(DiagnosticEngine &diags, llvm::LLVMContext &context, const LinkOptions &options,
-          llvm::TargetMachine &target)
-      : diags(diags), context(context), options(options), target(target), real(options.real) {}
+          llvm::TargetMachine &target, llvm::StringRef real)
+      : diags(diags), context(context), options(options), target(target), real(real) {}
 
   DiagnosticEngine &diags;
   llvm::LLVMContext &context;
@@ -66,6 +66,8 @@ struct Session {
 
   /// The real that is linked: options.real, or that with derivatives if the shaders ask for them.
   std::string real;
+  /// The real with which to begin anew, because the shaders read derivatives of derivatives.
+  std::string nextReal;
   /// Whether the real has bounds, which are noted.
   bool notesBounds = false;
   /// Which math tier computes what.
@@ -116,6 +118,14 @@ std::vector<std::string> noteSymbols(const Session &session);
 /// Whether bounds are known of a real's numbers.
 bool hasBounds(const llvm::Module &real);
 
+/// The real of the session's runtime whose numbers have one derivative more than the session's;
+/// empty if there is none.
+llvm::StringRef realOfHigherOrder(const Session &session);
+
+/// Looks for derivatives of higher order than the real's that somebody reads. If the linker chooses
+/// the real, gives false and sets the session's nextReal; else they are 0, and a warning says so.
+bool resolveUnknownDerivatives(Session &session);
+
 /// Whether a module's real carries derivatives.
 bool carriesDerivatives(const llvm::Module &module);
 
@@ -128,6 +138,9 @@ void keepArithmetic(llvm::Module &module);
 /// With a global's name behind it, the variable by which the standard runtimes find the global's
 /// first component, if they want a derivative of it.
 inline constexpr llvm::StringLiteral derivativeInputPrefix = "anysl_derivative_input_";
+
+/// What the operators read for a derivative of higher order than the real's.
+inline constexpr llvm::StringLiteral unknownDerivative = "anysl_unknown_derivative";
 
 /// Enters the globals from which derivatives are still read among the shaders' inputs, and tells
 /// the runtime's code where they lie.

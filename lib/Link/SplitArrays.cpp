@@ -36,8 +36,12 @@ struct Number {
   uint64_t realSize, size;
 
   Number(StructType &type, const DataLayout &layout)
-      : real(type.getElementType(0)), count(type.getNumElements()),
-        realSize(layout.getTypeAllocSize(real)), size(layout.getTypeAllocSize(&type)) {}
+      : real(&type), size(layout.getTypeAllocSize(&type)) {
+    while (auto *inner = dyn_cast<StructType>(real)) // derivatives may have derivatives
+      real = inner->getElementType(0);
+    realSize = layout.getTypeAllocSize(real);
+    count = unsigned(size / realSize);
+  }
 };
 
 /// An address in the array: what is added to its start, in bytes.

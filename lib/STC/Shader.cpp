@@ -118,6 +118,15 @@ FilePosition positionOf(const Instruction &instruction) {
   return {location->getFilename().str(), location->getLine(), location->getColumn()};
 }
 
+FilePosition shaderPositionOf(const Instruction &instruction) {
+  const DILocation *location = instruction.getDebugLoc().get();
+  if (!location)
+    return {};
+  while (const DILocation *caller = location->getInlinedAt())
+    location = caller;
+  return {location->getFilename().str(), location->getLine(), location->getColumn()};
+}
+
 std::optional<SmallVector<OpParam>> signatureOf(const Function &function) {
   if (const OpInfo *op = opOfSymbol(function.getName()))
     return SmallVector<OpParam>(op->params);

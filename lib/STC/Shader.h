@@ -95,6 +95,9 @@ inline constexpr unsigned maxCells = 1u << 20;
 /// The place in the shader's source that the debug location gives; none if there is none.
 FilePosition positionOf(const llvm::Instruction &instruction);
 
+/// The same for code that was inlined: where the shader called what it came from.
+FilePosition shaderPositionOf(const llvm::Instruction &instruction);
+
 /// The parameters of a function that an STC module defines: an operator's own, the context for a
 /// shader's functions, or those of its `!anysl.signature`. Nothing where that is missing or wrong.
 std::optional<llvm::SmallVector<OpParam>> signatureOf(const llvm::Function &function);

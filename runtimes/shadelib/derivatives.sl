@@ -20,8 +20,9 @@ normal calculatenormal(point p) {
   return n;
 }
 
-float filterwidth(float x) { return abs(Du(x) * du) + abs(Dv(x) * dv); }
-float filterwidth(point p) { return sqrt(area(p)); }
+// How wide a filter is hardly changes from point to point, and what is filtered should not need second derivatives.
+float filterwidth(float x) { return __detach(abs(Du(x) * du) + abs(Dv(x) * dv)); }
+float filterwidth(point p) { return __detach(sqrt(area(p))); }
 
 // The distance from the edge, in widths; beyond half a width, and so without any width, it is a step.
 float filterstep(float edge, x) {

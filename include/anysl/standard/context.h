@@ -32,6 +32,7 @@ extern "C" {
 #define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
   extern const uint32_t anysl_derivative_input_##byU, anysl_derivative_input_##byV;
 #include <anysl/Globals.def>
+extern const uint32_t anysl_derivative_input_N; // says with dNdu and dNdv how the surface bends
 
 } // extern "C"
 

@@ -25,12 +25,38 @@ anysl_number &globalNumber(const anysl_context *context, uint32_t id, int compon
   return number(context, anysl::globalComponent[id] + uint32_t(component), anysl::globalStep[id]);
 }
 
+/// Component `component` of a place on the surface, to second order. The turning of the unit normal
+/// n says how the surface bends: where a and b are u or v, P_ab . n = -P_a . n_b. What P_ab has
+/// along the surface depends on how u and v lie in it, turns no normal, and is left out.
+template <typename Real>
+Real curved(const anysl_context *context, anysl_number value, int component) {
+  using namespace anysl;
+  using Triple = Vec<anysl_number>;
+  auto triple = [&](const uint32_t &first) {
+    return Triple{number(context, first, 1), number(context, first + 1, 1),
+                  number(context, first + 2, 1)};
+  };
+  Triple Pu = triple(anysl_derivative_input_dPdu), Pv = triple(anysl_derivative_input_dPdv);
+  Triple N = triple(anysl_derivative_input_N);
+  anysl_number inverse = inverseSquareRoot(dot(N, N));
+  Triple n = N * inverse;
+  auto turning = [&](const Triple &change) { return (change - n * dot(n, change)) * inverse; };
+  Triple nu = turning(triple(anysl_derivative_input_dNdu));
+  Triple nv = turning(triple(anysl_derivative_input_dNdv));
+  auto of = [&](const Triple &x) { return component == 0 ? x.x : component == 1 ? x.y : x.z; };
+  return expand<Real>(
+      {value, of(Pu), of(Pv), -dot(Pu, nu) * of(n), -dot(Pu, nv) * of(n), -dot(Pv, nv) * of(n)});
+}
+
 /// Component `component` of the global `id`, with its derivatives where the real has some.
 anysl_float loadGlobal(const anysl_context *context, uint32_t id, int component) {
   using namespace anysl;
   anysl_number value = globalNumber(context, id, component);
   if constexpr (hasDerivatives<anysl_float>) {
     auto derivative = [&](const uint32_t &first) { return number(context, first + component, 1); };
+    if constexpr (derivativeOrder<anysl_float> > 1)
+      if (id == ANYSL_P || id == ANYSL_I)
+        return curved<anysl_float>(context, value, component);
     // The number of a global is a constant of the call, of which one case is left.
     switch (id) {
 #define ANYSL_DERIVATIVE(name, byU, byV)                                                           \

@@ -14,6 +14,10 @@
 
 using namespace anysl;
 
+/// A derivative of higher order than the real carries. The linker, which defines it as 0, sees
+/// whether it is still read in the end.
+extern "C" __attribute__((const)) anysl_number anysl_unknown_derivative(void);
+
 namespace {
 
 /// 0 for what is infinite or NaN.
@@ -22,8 +26,33 @@ T finite(T x) {
   return isFinite(x) ? x : T(0);
 }
 
-constexpr auto byU = [](const anysl_float &x) { return anysl_float(finite(derivativeU(x))); };
-constexpr auto byV = [](const anysl_float &x) { return anysl_float(finite(derivativeV(x))); };
+/// A derivative as a number, with what is known of its own derivatives.
+template <typename Real>
+anysl_float asNumber(const Real &x) {
+  constexpr int order = derivativeOrder<anysl_float>;
+  Expansion<PlainOf<anysl_float>> result = {finite(valueOf(x)), 0, 0, 0, 0, 0};
+  if constexpr (order == 1)
+    result.u = result.v = anysl_unknown_derivative();
+  if constexpr (order == 2) {
+    result.u = finite(derivativeU(x)), result.v = finite(derivativeV(x));
+    result.uu = result.uv = result.vv = anysl_unknown_derivative();
+  }
+  return expand<anysl_float>(result);
+}
+
+// Generic, so that only reals with derivatives are asked for their parts.
+constexpr auto byU = []<typename Real>(const Real &x) {
+  if constexpr (hasDerivatives<Real>)
+    return asNumber(x.u);
+  else
+    return Real(0);
+};
+constexpr auto byV = []<typename Real>(const Real &x) {
+  if constexpr (hasDerivatives<Real>)
+    return asNumber(x.v);
+  else
+    return Real(0);
+};
 
 } // namespace
 
@@ -33,3 +62,5 @@ void anysl_Du_color(anysl_color *result, const anysl_color *c) { *result = each(
 void anysl_Dv_color(anysl_color *result, const anysl_color *c) { *result = each(byV, *c); }
 void anysl_Du_vector(anysl_vector *result, const anysl_vector *p) { *result = each(byU, *p); }
 void anysl_Dv_vector(anysl_vector *result, const anysl_vector *p) { *result = each(byV, *p); }
+
+void anysl_detach_float(anysl_float *result, const anysl_float *x) { *result = valueOf(*x); }

@@ -9,6 +9,9 @@
 
 using namespace anysl;
 
+extern "C" anysl_number anysl_unknown_derivative(void);
+anysl_number anysl_unknown_derivative() { return 0; }
+
 namespace {
 
 /// x, which changes by u and v as given, if a real can.
@@ -47,4 +50,23 @@ TEST_CASE("a derivative beyond all numbers is 0") {
   x = changing(1, -Limits::infinity(), Limits::max());
   CHECK(valueOf(call<anysl_Du_float>(x)) == 0);
   CHECK(valueOf(call<anysl_Dv_float>(x)) == expected(Limits::max()));
+}
+
+TEST_CASE("a number that is detached is a constant") {
+  Real x = call<anysl_detach_float>(changing(3, 1, 2));
+  CHECK(valueOf(x) == 3);
+  CHECK(isConstant(x));
+}
+
+TEST_CASE("a derivative has derivatives where numbers carry those of second order") {
+  // f = u^2 v at (2, 3): f_u = 2 u v, f_v = u^2.
+  Real u = changing(2, 1, 0), v = changing(3, 0, 1), f = u * u * v;
+  constexpr bool carried = derivativeOrder<Real> > 1;
+  Real fu = call<anysl_Du_float>(f), fv = call<anysl_Dv_float>(f);
+  CHECK(valueOf(fu) == expected(12));
+  CHECK(valueOf(fv) == expected(4));
+  CHECK(valueOf(call<anysl_Du_float>(fu)) == (carried ? 6 : 0));
+  CHECK(valueOf(call<anysl_Dv_float>(fu)) == (carried ? 4 : 0));
+  CHECK(valueOf(call<anysl_Du_float>(fv)) == (carried ? 4 : 0));
+  CHECK(valueOf(call<anysl_Dv_float>(fv)) == 0);
 }
