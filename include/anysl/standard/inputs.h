@@ -19,6 +19,8 @@
 #ifndef ANYSL_STANDARD_INPUTS_H
 #define ANYSL_STANDARD_INPUTS_H
 
+#include <anysl/domain.h>
+
 namespace {
 
 anysl_number &globalNumber(const anysl_context *context, uint32_t id, int component) {
