@@ -249,9 +249,10 @@ struct CallExpr : Expr {
   CallForm form = CallForm::Function;
   bool isSplit = false; ///< `rest` has been told from `args`
   SplineBasis basis = SplineBasis::CatmullRom;
+  Expr *basisName = nullptr; ///< Spline: text that says which at run time
   ArrayOp arrayOp = ArrayOp::Resize;
   CoshaderOp coshaderOp = CoshaderOp::Get;
-  StringRef remoteName; ///< Method: the name under which other shaders' methods are known
+  StringRef remoteName; ///< Member, Method: its name; "" if the renderer is not asked
   CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
       : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {
   }
@@ -369,10 +370,11 @@ struct ReturnStmt : Stmt {
   static bool classof(const Stmt *s) { return s->kind == StmtKind::Return; }
 };
 
-/// "light:NAME", variable behind the other arguments of illuminance: a parameter of each light.
+/// "light:NAME", variable or "send:light:NAME", value behind the other arguments of illuminance: a
+/// parameter of each light.
 struct LightMessage {
   llvm::StringRef name;
-  Expr *variable;
+  Expr *value;
 };
 
 /// illuminance, illuminate and solar. Sema sorts the arguments into the named ones.
@@ -383,7 +385,8 @@ struct LightStmt : Stmt {
   Expr *position = nullptr;
   Expr *axis = nullptr;
   Expr *angle = nullptr;
-  llvm::ArrayRef<LightMessage> messages;
+  llvm::ArrayRef<LightMessage> asked; ///< "light:"
+  llvm::ArrayRef<LightMessage> sent;  ///< "send:light:"
   LightStmt(StmtKind kind, SMLoc loc, llvm::MutableArrayRef<Expr *> args, Stmt *body)
       : Stmt(kind, loc), args(args), body(body) {}
   static bool classof(const Stmt *s) {
@@ -421,6 +424,7 @@ struct GatherStmt : Stmt {
   Expr *samples = nullptr;
   ArrayRef<Expr *> named; ///< the value of each field of NamedArguments.def, or null
   ArrayRef<Output> outputs;
+  ArrayRef<LightMessage> asked; ///< other values of what a ray meets: "surface:NAME", variable
   GatherStmt(SMLoc loc, llvm::MutableArrayRef<Expr *> args, Stmt *body, Stmt *elseBody)
       : Stmt(StmtKind::Gather, loc), args(args), body(body), elseBody(elseBody) {}
   static bool classof(const Stmt *s) { return s->kind == StmtKind::Gather; }
@@ -501,12 +505,22 @@ struct StructDecl {
 enum class ShaderType : uint8_t { Surface = 1, Displacement, Light, Volume, Imager, Method };
 StringRef nameOf(ShaderType type);
 
+/// What a shader that is a method does behind its body: the arguments come, and go with the result,
+/// in two output parameters, as lib/Host/Methods.cpp says.
+struct MethodCall {
+  CallExpr *call;
+  ArrayRef<VarDecl *> arguments; ///< variables that the call's arguments name
+  VarDecl *numbers = nullptr;    ///< null: none
+  VarDecl *texts = nullptr;
+};
+
 struct ShaderDecl {
   ShaderType type;
   StringRef name;
   SMRange range;
   ArrayRef<VarDecl *> params;
   BlockStmt *body = nullptr;
+  MethodCall *method = nullptr;
 };
 
 /// One file's declarations, and the memory of all its nodes.

@@ -78,6 +78,12 @@ void addField(std::vector<NamedGroup> &groups, StringRef group, StringRef field,
   groups.back().fields.push_back({field, typeNamed(type), number});
 }
 
+void addRayField(std::vector<NamedGroup> &groups, StringRef group, StringRef field, StringRef type,
+                 double number) {
+  addField(groups, group, field, type, number);
+  groups.back().fields.back().isForRays = true;
+}
+
 void addArgument(std::vector<NamedGroup> &groups, StringRef name, StringRef type, StringRef fields,
                  StringRef meaning) {
   NamedGroup &group = groups.back();
@@ -104,6 +110,8 @@ struct Table {
     assert(group != groups.end() && "Builtins.def names an unknown group");
     builtin.named = &*group;
     for (auto [i, field] : enumerate(group->fields)) {
+      if (field.isForRays)
+        continue;
       BuiltinOperand operand;
       operand.source = BuiltinOperand::Named;
       operand.type = field.type;
@@ -115,8 +123,13 @@ struct Table {
 
   Table() {
 #define RSL_NAMED_FIELD(group, field, type, number) addField(groups, #group, #field, #type, number);
+#define RSL_RAY_FIELD(group, field, type, number)                                                  \
+  addRayField(groups, #group, #field, #type, number);
 #define RSL_NAMED_ARGUMENT(group, name, type, fields, meaning)                                     \
   addArgument(groups, #name, #type, #fields, meaning);
+#define RSL_DECLINED_ARGUMENT(group, name, type, why)                                              \
+  addArgument(groups, #name, #type, "()", why);                                                    \
+  groups.back().arguments.back().isDeclined = true;
 #include "frontends/rsl/NamedArguments.def"
     struct Row {
       StringRef result, name, operands;

@@ -52,13 +52,15 @@ struct NamedGroup {
   struct Field {
     llvm::StringRef name;
     TypeKind type;
-    double number; ///< the default; of a string it is ""
+    double number;          ///< the default; of a string it is ""
+    bool isForRays = false; ///< no operand: for a lookup that is traced
   };
   struct Argument {
     llvm::StringRef name;
     TypeKind type;
     llvm::SmallVector<unsigned, 2> fields; ///< that it sets
     llvm::StringRef meaning;
+    bool isDeclined = false; ///< it would change the result, and a call gets a warning
   };
   llvm::StringRef name;
   llvm::SmallVector<Field, 10> fields;

@@ -29,7 +29,7 @@ FrontendResult compile(StringRef path, const FrontendOptions &options, Diagnosti
 
   Ast ast;
   Parser(std::move(tokens), ast, diags).parseFile();
-  Sema(ast, diags, {options.isLibrary}).check();
+  Sema(ast, diags, {options.isLibrary, options.arrayCapacity}).check();
   // From here on the tree is correct: lowering has nothing to complain about but a library's
   // operators.
   if (!diags.hasErrors() && ast.shaders.empty() && !ast.hasClasses() && !options.isLibrary &&

@@ -24,6 +24,7 @@ struct FrontendOptions {
   std::optional<llvm::StringRef> text;
   bool isLibrary = false;  ///< functions define operators
   bool debugInfo = false;  ///< native code shall have line tables
+  int arrayCapacity = 64;  ///< room in arrays that grow by numbers which are not constant
   bool syntaxOnly = false; ///< stop after checking; a file need not contain a shader
 };
 

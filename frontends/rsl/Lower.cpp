@@ -237,6 +237,7 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
   stc::ShaderInfo info;
   info.name = shader.name.str();
   shaderName = shader.name;
+  shaderType = shader.type;
   info.kind = static_cast<stc::ShaderKind>(shader.type);
   unsigned cell = 0;
   for (const VarDecl *param : shader.params) {
@@ -268,6 +269,8 @@ void Lowering::lowerShader(const ShaderDecl &shader) {
   returnBlock = exitBlock;
   lowerBody(*shader.body);
   at(shader.body->end);
+  if (shader.method)
+    lowerMethod(*shader.method);
   branchTo(exitBlock);
   continueIn(exitBlock);
   if (shader.type == ShaderType::Light)

@@ -39,10 +39,28 @@ void Lowering::copyLength(Value *to, Value *from) {
 }
 
 /// A length from a number: an integer that the array has room for.
-void Lowering::setLength(Value *array, Value *count) {
+void Lowering::setLength(Value *array, Value *count, StringRef name, SMLoc loc) {
   Value *whole = temporary({TypeKind::Float, true});
   b.call(Op::floor, {whole, count});
+  if (b.context()) {
+    BasicBlock *full = b.block("full"), *fits = b.block("fits");
+    branchIf(b.call(Op::gt_float, {whole, number(capacityOf(array))}), full, fits);
+    continueIn(full);
+    warnFull(array, name, loc);
+    branchTo(fits);
+    continueIn(fits);
+  }
   b.call(Op::clamp_float, {lengths.lookup(array), whole, number(0), number(capacityOf(array))});
+}
+
+/// Tells the renderer that elements are left out.
+void Lowering::warnFull(Value *array, StringRef name, SMLoc loc) {
+  FilePosition position = diags.presumed(loc);
+  std::string place = (position.file + ":" + Twine(position.line) + ":").str();
+  b.call(Op::warn,
+         {b.context(), text(place + " warning: array '" + name.str() +
+                            "' has no room for more than " + std::to_string(capacityOf(array)) +
+                            " elements; rslc --array-capacity gives it more")});
 }
 
 Value *Lowering::callArray(const CallExpr &call) {
@@ -53,16 +71,25 @@ Value *Lowering::callArray(const CallExpr &call) {
   at(call.loc);
   Value *length = lengths.lookup(array);
   Type element = call.args[0]->type.element();
+  auto *named = dyn_cast<NameExpr>(call.args[0]);
+  StringRef name = named ? named->decl->name : "";
   if (!length) // Sema refuses that; an expansion that is wrong otherwise may lead here
     return call.type.is(TypeKind::Void) ? nullptr : zero(element);
   switch (call.arrayOp) {
   case ArrayOp::Resize:
-    setLength(array, value);
+    setLength(array, value, name, call.loc);
     return nullptr;
   case ArrayOp::Push: {
     Value *grown = temporary({TypeKind::Float, true});
-    BasicBlock *room = b.block("push"), *end = b.block("push.end");
-    branchIf(b.call(Op::lt_float, {length, number(capacityOf(array))}), room, end);
+    bool warns = b.context() != nullptr;
+    BasicBlock *room = b.block("push"), *end = b.block("push.end"),
+               *full = warns ? b.block("full") : end;
+    branchIf(b.call(Op::lt_float, {length, number(capacityOf(array))}), room, full);
+    if (warns) {
+      continueIn(full);
+      warnFull(array, name, call.loc);
+      branchTo(end);
+    }
     continueIn(room);
     copy(element, b.element(array, b.call(Op::index, {length})), value);
     b.call(Op::add_float, {grown, length, number(1)});

@@ -14,51 +14,6 @@ namespace anysl::rsl {
 
 using stc::Op;
 
-namespace {
-/// Where a number lies among those that are handed over.
-struct Position {
-  unsigned matrix, row, column;
-  explicit Position(unsigned i) : matrix(i / 16), row(i % 16 / 4), column(i % 4) {}
-};
-} // namespace
-
-/// Writes a value's components behind each other, from number `at` on; gives the next number.
-unsigned Lowering::packNumbers(Value *value, Type type, ArrayRef<Value *> matrices, unsigned at) {
-  for (unsigned i = 0, count = componentsOf(type); i < count; ++i, ++at) {
-    Position to(at);
-    Value *component = value;
-    if (count > 1) {
-      component = temporary({TypeKind::Float, true});
-      if (type.is(TypeKind::Matrix))
-        b.call(Op::get_matrix, {component, value, number(i / 4), number(i % 4)});
-      else
-        b.call(opFor(type.kind, Op::get_color, Op::get_color, Op::get_vector),
-               {component, value, number(i)});
-    }
-    b.call(Op::set_matrix, {matrices[to.matrix], number(to.row), number(to.column), component});
-  }
-  return at;
-}
-
-/// The value of a type whose components lie from number `at` on.
-Value *Lowering::unpackNumbers(Type type, ArrayRef<Value *> matrices, unsigned at) {
-  SmallVector<Value *, 17> operands{nullptr};
-  for (unsigned i = 0, count = componentsOf(type); i < count; ++i) {
-    Position from(at + i);
-    operands.push_back(temporary({TypeKind::Float, true}));
-    b.call(Op::get_matrix,
-           {operands.back(), matrices[from.matrix], number(from.row), number(from.column)});
-  }
-  if (type.is(TypeKind::Float))
-    return operands[1];
-  operands[0] = temporary(type);
-  b.call(type.is(TypeKind::Matrix)
-             ? Op::make_matrix
-             : opFor(type.kind, Op::make_color, Op::make_color, Op::make_vector),
-         operands);
-  return operands[0];
-}
-
 Value *Lowering::callCoshader(const CallExpr &call) {
   switch (call.coshaderOp) {
   case CoshaderOp::Get:
@@ -83,8 +38,11 @@ Value *Lowering::getShader(const CallExpr &call) {
   if (!hasContext(call.loc))
     return result;
   BasicBlock *known = b.block("shader.known"), *end = b.block("shader.end");
-  Value *none = zero({TypeKind::Matrix, true}), *more = zero({TypeKind::Matrix, true});
-  branchIf(b.call(Op::call_method, {b.context(), name, text(""), none, more}), known, end);
+  Message nothing;
+  makeArrays(nothing, call.loc);
+  SmallVector<Value *, 8> operands{b.context(), name, text("")};
+  appendOperands(nothing, operands);
+  branchIf(b.call(Op::call_method, operands), known, end);
   continueIn(known);
   copy(type, result, name);
   branchTo(end);
@@ -92,32 +50,61 @@ Value *Lowering::getShader(const CallExpr &call) {
   return result;
 }
 
-/// All shaders of a category, as many as the array has room for.
+/// All shaders or lights of a category, as many as the array has room for.
 Value *Lowering::getShaders(const CallExpr &call) {
   Value *category = call.args.size() == 2 ? lower(call.args[1]) : text("");
   at(call.loc);
   Value *result = temporary(call.type);
   Value *count = lengths.lookup(result);
   b.call(Op::const_float, {count, b.number(0)});
-  if (call.coshaderOp == CoshaderOp::GetLights || !hasContext(call.loc))
+  if (!hasContext(call.loc))
     return result;
-  BasicBlock *head = b.block("shaders"), *found = b.block("shader.found"),
-             *end = b.block("shaders.end");
+  bool isLights = call.coshaderOp == CoshaderOp::GetLights;
+  BasicBlock *before = builder().GetInsertBlock(), *head = b.block("shaders"),
+             *look = b.block("shader"), *found = b.block("shader.found"),
+             *next = b.block("shader.next"), *end = b.block("shaders.end");
+  Value *total = isLights ? b.call(Op::light_count, {b.context()}) : nullptr;
   branchTo(head);
   continueIn(head);
+  PHINode *index = builder().CreatePHI(builder().getInt32Ty(), 2, "shader");
+  index->addIncoming(b.index(0), before);
   Value *name = temporary({TypeKind::String, true});
-  Value *index = b.call(Op::index, {count});
-  Value *exists = b.call(Op::shader_name, {name, b.context(), category, index});
-  Value *hasRoom = b.call(Op::lt_float, {count, number(capacityOf(result))});
-  branchIf(builder().CreateAnd(exists, hasRoom), found, end);
+  Value *goesOn = isLights ? builder().CreateICmpULT(index, total)
+                           : b.call(Op::shader_name, {name, b.context(), category, index});
+  branchIf(builder().CreateAnd(goesOn, b.call(Op::lt_float, {count, number(capacityOf(result))})),
+           look, end);
+  continueIn(look);
+  if (isLights) {
+    BasicBlock *belongs = b.block("light.belongs");
+    branchIf(b.call(Op::light_in_category, {b.context(), index, category}), belongs, next);
+    continueIn(belongs);
+    branchIf(b.call(Op::light_handle, {name, b.context(), index}), found, next);
+  } else {
+    branchTo(found);
+  }
   continueIn(found);
   copy({TypeKind::String}, b.element(result, b.call(Op::index, {count})), name);
   Value *grown = temporary({TypeKind::Float, true});
   b.call(Op::add_float, {grown, count, number(1)});
   copy({TypeKind::Float}, count, grown);
+  branchTo(next);
+  continueIn(next);
+  index->addIncoming(builder().CreateAdd(index, b.index(1)), next);
   branchTo(head);
   continueIn(end);
   return result;
+}
+
+/// `.name:shape`, how a parameter is asked for.
+Value *Lowering::parameterName(const Expr *name, const std::string &shape) {
+  if (auto *constant = dyn_cast<StringExpr>(name))
+    return text(("." + constant->value + ":" + shape).str());
+  Value *value = lower(name), *begun = temporary({TypeKind::String, true}),
+        *whole = temporary({TypeKind::String, true});
+  at(name->loc);
+  b.call(Op::append_string, {begun, b.context(), text("."), text("%s"), b.index(0), value});
+  b.call(Op::append_rest, {whole, b.context(), begun, text(":" + shape), b.index(0)});
+  return whole;
 }
 
 /// A method or a parameter of another shader. Where there is none, results are 0 and variables stay
@@ -133,42 +120,52 @@ Value *Lowering::callMethod(const CallExpr &call) {
     return call.type.is(TypeKind::Void) ? nullptr : zero(call.type);
   }
   Value *handle = lowerBefore(isVariable ? call.args[0] : call.object, true);
-  Value *method;
-  if (isVariable) {
-    // The dot makes it a parameter's name.
-    auto *name = dyn_cast<StringExpr>(call.args[1]);
-    method = name ? text(("." + name->value).str()) : lower(call.args[1]);
-  } else {
-    method = text(call.remoteName);
-  }
-  Value *matrices[] = {zero({TypeKind::Matrix, true}), zero({TypeKind::Matrix, true})};
-  unsigned next = 0;
-  SmallVector<std::pair<const Expr *, unsigned>, 8> outputs;
+  SmallVector<Value *, 8> values;
+  Message message;
+  Value *what = nullptr;
+  std::string shapes;
   if (isMethod)
     for (const Expr *arg : call.args) {
-      Value *value = lower(arg);
-      at(call.loc);
-      if (auto *name = dyn_cast<NameExpr>(arg); name && isRemoteOutput(*name->decl))
-        outputs.push_back({arg, next});
-      next = packNumbers(value, arg->type, matrices, next);
+      values.push_back(lowerBefore(arg, true));
+      shapes += addItem(message, arg->type, values.back());
     }
-  if (isVariable)
-    outputs.push_back({call.args[2], 0});
   at(call.loc);
-  Value *result = componentsOf(call.type) ? zero(call.type) : nullptr;
+  bool hasResult = !call.type.is(TypeKind::Void);
+  Value *result = hasResult ? zero(call.type) : nullptr;
   if (!hasContext(call.loc))
     return result;
-  BasicBlock *done = b.block("called"), *end = b.block("called.end");
-  branchIf(b.call(Op::call_method, {b.context(), handle, method, matrices[0], matrices[1]}), done,
-           end);
-  continueIn(done);
-  for (auto [target, from] : outputs)
-    store(place(target), unpackNumbers(target->type.withVarying(true), matrices, from));
+  Place variable;
   if (isVariable) {
+    variable = place(call.args[2]);
+    Type type = call.args[2]->type;
+    what = parameterName(call.args[1], variable.component ? addItem(message, type, 0u)
+                                                          : addItem(message, type, variable.slot));
+  } else {
+    std::string own = hasResult ? addItem(message, call.type, 0u) : "v";
+    what = text(isMethod ? (call.remoteName + "(" + shapes + ")" + own).str()
+                         : ("." + call.remoteName + ":" + own).str());
+  }
+  at(call.loc);
+  makeArrays(message, call.loc);
+  for (unsigned i = 0; i < values.size(); ++i)
+    pack(message, i, values[i]);
+  BasicBlock *done = b.block("called"), *end = b.block("called.end");
+  SmallVector<Value *, 8> operands{b.context(), handle, what};
+  appendOperands(message, operands);
+  branchIf(b.call(Op::call_method, operands), done, end);
+  continueIn(done);
+  if (message.items.empty()) {
+    // Nothing comes back.
+  } else if (isVariable) {
+    store(variable, unpack(message, 0));
     b.call(Op::const_float, {result, b.number(1)});
-  } else if (result) {
-    unsigned from = isMethod && next + componentsOf(call.type) <= 32 ? next : 0;
-    copy(call.type, result, unpackNumbers(call.type, matrices, from));
+  } else {
+    if (isMethod)
+      for (unsigned i = 0; i < call.args.size(); ++i)
+        if (auto *name = dyn_cast<NameExpr>(call.args[i]); name && isRemoteOutput(*name->decl))
+          store(place(name), unpack(message, i));
+    if (result)
+      copy(call.type, result, unpack(message, unsigned(message.items.size()) - 1));
   }
   branchTo(end);
   continueIn(end);

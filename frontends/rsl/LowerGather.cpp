@@ -23,6 +23,28 @@ static bool isKnownOnMiss(GatherValue value) {
   llvm_unreachable("unknown output");
 }
 
+/// What is asked about a surface besides GatherOutputs.def, and the values that the variables have
+/// now, which stay where there is no answer. Null: nothing.
+Value *Lowering::packAsked(const GatherStmt &stmt, Message &message) {
+  if (stmt.asked.empty())
+    return nullptr;
+  SmallVector<Value *, 4> values;
+  std::string names;
+  for (const LightMessage &asked : stmt.asked) {
+    Place target = place(asked.value);
+    values.push_back(load(target, asked.value->type));
+    names += names.empty() ? "" : ",";
+    names += (asked.name + ":").str() + (target.component
+                                             ? addItem(message, asked.value->type, 0u)
+                                             : addItem(message, asked.value->type, values.back()));
+  }
+  at(stmt.loc);
+  makeArrays(message, stmt.loc);
+  for (unsigned i = 0; i < values.size(); ++i)
+    pack(message, i, values[i]);
+  return text(names);
+}
+
 /// One ray for each sample, and then the body or the other one:
 ///
 ///     for (i = 0; i < floor(samples + 0.5); ++i) {
@@ -44,6 +66,7 @@ void Lowering::lowerGather(const GatherStmt &stmt) {
   Value *angle = lowerLasting(stmt.angle);
   Value *samples = lowerLasting(stmt.samples);
   const Expr *reachExpr = stmt.named[0], *distributionExpr = stmt.named[1];
+  Value *bias = lowerLasting(stmt.named[2]);
   Value *reach = reachExpr ? lowerLasting(reachExpr) : number(1e30);
   Value *distribution = distributionExpr ? lowerLasting(distributionExpr) : text("");
   at(stmt.loc);
@@ -118,15 +141,38 @@ void Lowering::lowerGather(const GatherStmt &stmt) {
   };
   give(true);
   if (traces) {
+    Value *start = position, *left = reach;
+    if (bias) {
+      Value *skipped = temporary(vector);
+      b.call(Op::scale_vector, {skipped, direction, bias});
+      start = temporary(vector);
+      b.call(Op::add_vector, {start, position, skipped});
+      left = apply(Op::sub_float, {reach, bias});
+    }
+    Message message;
+    Value *asked = packAsked(stmt, message);
     bool shades = any_of(stmt.outputs, [](const GatherStmt::Output &output) {
       return output.value == GatherValue::SurfaceCi || output.value == GatherValue::SurfaceOi;
     });
-    Value *isHit =
-        shades ? b.call(Op::trace_shade,
-                        {b.context(), position, direction, reach, distance, N, Ng, Ci, Oi})
-               : b.call(Op::trace_hit, {b.context(), position, direction, reach, distance, N, Ng});
-    branchIf(isHit, hit, miss);
+    SmallVector<Value *, 14> operands{b.context(), start, direction, left};
+    if (asked) {
+      operands.push_back(asked);
+      appendOperands(message, operands);
+    }
+    operands.append({distance, N, Ng});
+    if (asked || shades)
+      operands.append({Ci, Oi});
+    branchIf(b.call(asked    ? Op::trace_values
+                    : shades ? Op::trace_shade
+                             : Op::trace_hit,
+                    operands),
+             hit, miss);
     continueIn(hit);
+    if (bias)
+      copy(scalar, distance, apply(Op::add_float, {distance, bias}));
+    for (unsigned i = 0; asked && i < message.items.size(); ++i)
+      store(place(stmt.asked[i].value), unpack(message, i));
+    at(stmt.loc);
     Value *way = temporary(vector);
     b.call(Op::scale_vector, {way, direction, distance});
     b.call(Op::add_vector, {P, position, way});

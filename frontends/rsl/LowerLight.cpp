@@ -13,6 +13,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Lowering.h"
+#include "frontends/rsl/Sema.h"
 
 using namespace llvm;
 
@@ -34,7 +35,8 @@ unsigned Lowering::globalNumber(StringRef name) {
 ///
 ///     for (i = 0; i < light_count(); ++i)
 ///       if (light_in_category(i, category))
-///         if (light_sample(i, P, axis or N, L, Cl, Ol) & in_cone(L, axis, angle)) {
+///         if (light_sample(i, P, axis or N, [what is sent,] L, Cl, Ol) & in_cone(L, axis, angle))
+///         {
 ///           light_shadow(i, P, L, Cl);
 ///           body
 ///         }
@@ -53,6 +55,10 @@ void Lowering::lowerIlluminance(const LightStmt &stmt) {
     copy(vectorType, normal, globalSlot(globalNumber("N")));
   }
   Value *count = b.call(Op::light_count, {b.context()});
+  CurrentLight current;
+  current.position = position, current.normal = normal;
+  packSent(stmt, current);
+  at(stmt.loc);
   Value *direction = temporary(vectorType, "L");
   Value *light = temporary(colorType, "Cl");
   Value *opacity = temporary(colorType, "Ol");
@@ -71,8 +77,13 @@ void Lowering::lowerIlluminance(const LightStmt &stmt) {
     branchIf(b.call(Op::light_in_category, {b.context(), index, category}), sample, step);
   }
   continueIn(sample);
-  Value *reaches =
-      b.call(Op::light_sample, {b.context(), index, position, normal, direction, light, opacity});
+  SmallVector<Value *, 16> operands{b.context(), index, position, normal};
+  if (current.sentNames) {
+    operands.push_back(current.sentNames);
+    appendOperands(current.sent, operands);
+  }
+  operands.append({direction, light, opacity});
+  Value *reaches = b.call(current.sentNames ? Op::light_sample_sent : Op::light_sample, operands);
   if (axis)
     reaches = builder().CreateAnd(reaches, b.call(Op::in_cone, {direction, axis, angle}));
   branchIf(reaches, body, step);
@@ -83,10 +94,11 @@ void Lowering::lowerIlluminance(const LightStmt &stmt) {
   lightGlobals[globalNumber("L")] = direction;
   lightGlobals[globalNumber("Cl")] = light;
   lightGlobals[globalNumber("Ol")] = opacity;
-  CurrentLight outer = std::exchange(currentLight, {index, position, normal});
+  current.index = index;
+  CurrentLight outer = std::exchange(currentLight, current);
   loops.push_back({end, step});
-  for (const LightMessage &message : stmt.messages)
-    askLight(text(message.name), message.variable, stmt.loc);
+  for (const LightMessage &message : stmt.asked)
+    askLight(text(message.name), message.value, stmt.loc);
   lower(stmt.body);
   loops.pop_back();
   currentLight = outer;
@@ -97,6 +109,24 @@ void Lowering::lowerIlluminance(const LightStmt &stmt) {
   index->addIncoming(builder().CreateAdd(index, b.index(1)), step);
   branchTo(head);
   continueIn(end);
+}
+
+/// "send:light:NAME", value: the values are those before the loop, the same for each light.
+void Lowering::packSent(const LightStmt &stmt, CurrentLight &light) {
+  if (stmt.sent.empty())
+    return;
+  SmallVector<Value *, 4> values;
+  std::string names;
+  for (const LightMessage &message : stmt.sent) {
+    values.push_back(lowerLasting(message.value));
+    names += names.empty() ? "" : ",";
+    names += (message.name + ":").str() + addItem(light.sent, message.value->type, values.back());
+  }
+  at(stmt.loc);
+  makeArrays(light.sent, stmt.loc);
+  for (unsigned i = 0; i < values.size(); ++i)
+    pack(light.sent, i, values[i]);
+  light.sentNames = text(names);
 }
 
 /// illuminate and solar set L and run their body where the light goes.
@@ -124,7 +154,9 @@ void Lowering::lowerIlluminate(const LightStmt &stmt) {
     continueIn(inside);
   }
   copy(vectorType, globalSlot(L), to);
+  bool outer = std::exchange(isSolar, stmt.kind == StmtKind::Solar);
   lower(stmt.body);
+  isSolar = outer;
   branchTo(join);
   continueIn(join);
 }
@@ -160,16 +192,36 @@ void Lowering::finishLight() {
 Value *Lowering::askLight(Value *name, const Expr *variable, SMLoc loc) {
   Place target = place(variable);
   at(loc);
-  Type type = variable->type;
-  Value *value = temporary(type);
-  copy(type, value, load(target, type));
+  Type type = variable->type.element();
   Op op = type.is(TypeKind::Matrix) ? Op::light_matrix
-          : type.is(TypeKind::String)
+          : isTextual(type.kind)
               ? Op::light_string
               : opFor(type.kind, Op::light_float, Op::light_color, Op::light_vector);
-  Value *found = b.call(op, {b.context(), currentLight.index, currentLight.position,
-                             currentLight.normal, name, value});
-  store(target, value);
+  CurrentLight light = currentLight;
+  if (!light.sentNames) {
+    light.sentNames = text("");
+    makeArrays(light.sent, loc);
+  }
+  auto ask = [&](Value *slot, unsigned length, unsigned element) {
+    SmallVector<Value *, 16> operands{b.context(), light.index, light.position, light.normal,
+                                      light.sentNames};
+    appendOperands(light.sent, operands);
+    operands.append({name, b.length(length), b.length(element), slot});
+    return b.call(op, operands);
+  };
+  unsigned length = variable->type.isArray() ? capacityOf(target.slot) : 0;
+  if (!length) {
+    Value *value = temporary(type);
+    copy(type, value, load(target, type));
+    Value *found = ask(value, 0, 0);
+    store(target, value);
+    return found;
+  }
+  Value *found = nullptr;
+  for (unsigned i = 0; i < length; ++i) {
+    Value *known = ask(elementOf(target.slot, i), length, i);
+    found = found ? builder().CreateAnd(found, known) : known;
+  }
   return found;
 }
 

@@ -42,11 +42,32 @@ Value *Lowering::query(const stc::QueryKind &kind, Value *subject, Value *name, 
   auto slot = stc::slotInfo(variable);
   if (!slot || !slot->arrayLength)
     return ask(variable, 0, 0);
+  if (lengths.count(variable))
+    return queryArray(kind, subject, name, type, variable);
   Value *known = nullptr;
   for (unsigned i = 0; i < slot->arrayLength; ++i) {
     Value *answered = ask(elementOf(variable, i), slot->arrayLength, i);
     known = known ? builder().CreateAnd(known, answered) : answered;
   }
+  return known;
+}
+
+/// An array whose length the answer sets.
+Value *Lowering::queryArray(const stc::QueryKind &kind, Value *subject, Value *name, Type type,
+                            Value *array) {
+  Message message;
+  Value *shape = text(addItem(message, type, array));
+  makeArrays(message, lastLocation);
+  SmallVector<Value *, 10> operands{b.context(), b.id(kind.id), subject, name, shape};
+  appendOperands(message, operands);
+  Value *known = b.call(Op::query_array, operands);
+  BasicBlock *answered = b.block("answered"), *end = b.block("answered.end");
+  branchIf(known, answered, end);
+  continueIn(answered);
+  if (!message.items.empty())
+    copy(type, array, unpack(message, 0));
+  branchTo(end);
+  continueIn(end);
   return known;
 }
 

@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Lowering.h"
+#include "frontends/rsl/Sema.h"
 
 using namespace llvm;
 
@@ -56,26 +57,60 @@ const Basis &basisOf(SplineBasis basis) {
 
 } // namespace
 
+/// Slots for what text says of a curve at run time: the weights, row by row, and the step. What is
+/// no name means Catmull-Rom.
+static constexpr unsigned stepOfBasis = 16, basisSlots = 17;
+
+void Lowering::chooseBasis(Value *name, MutableArrayRef<Value *> to) {
+  auto set = [&](SplineBasis which) {
+    const Basis &basis = basisOf(which);
+    for (unsigned i = 0; i < 16; ++i)
+      b.call(Op::const_float, {to[i], b.number(basis.weights[i / 4][i % 4])});
+    b.call(Op::const_float, {to[stepOfBasis], b.number(basis.step)});
+  };
+  for (Value *&slot : to)
+    slot = temporary({TypeKind::Float, true});
+  set(SplineBasis::CatmullRom);
+  BasicBlock *end = b.block("basis.end");
+  ArrayRef<std::pair<StringLiteral, SplineBasis>> names = splineBases();
+  for (size_t i = 0; i < names.size();) {
+    SplineBasis basis = names[i].second;
+    Value *isNamed = nullptr;
+    for (; i < names.size() && names[i].second == basis; ++i) {
+      Value *same = b.call(Op::eq_string, {name, text(names[i].first)});
+      isNamed = isNamed ? builder().CreateOr(isNamed, same) : same;
+    }
+    if (basis == SplineBasis::CatmullRom)
+      continue;
+    BasicBlock *named = b.block("basis"), *other = b.block("basis.other");
+    branchIf(isNamed, named, other);
+    continueIn(named);
+    set(basis);
+    branchTo(end);
+    continueIn(other);
+  }
+  branchTo(end);
+  continueIn(end);
+}
+
 /// The segment is floor(x) for x = clamp(value, 0, 1) * segments, but for the last knot's sake
 /// never more than the last one; t is what remains of x.
 Value *Lowering::callSpline(const CallExpr &call) {
   const Basis &basis = basisOf(call.basis);
   Type scalar{TypeKind::Float, call.type.varying};
+  Value *name = lowerLasting(call.basisName);
   Value *value = lowerBefore(call.args[0], call.hasEffects);
   Value *knots;
-  unsigned count;
   if (call.args[1]->type.isArray()) {
     knots = lower(call.args[1]);
-    count = stc::slotInfo(knots)->arrayLength;
   } else {
-    count = static_cast<unsigned>(call.args.size()) - 1;
     Type array = call.type;
-    array.length = static_cast<int>(count);
+    array.length = static_cast<int>(call.args.size()) - 1;
     knots = temporary(array, "knots");
-    for (unsigned i = 0; i < count; ++i) {
+    for (size_t i = 0; i + 1 < call.args.size(); ++i) {
       Value *knot = lower(call.args[i + 1]);
       at(call.loc);
-      copy(call.type, elementOf(knots, i), knot);
+      copy(call.type, elementOf(knots, unsigned(i)), knot);
     }
   }
   at(call.loc);
@@ -85,21 +120,34 @@ Value *Lowering::callSpline(const CallExpr &call) {
     b.call(op, all);
     return all[0];
   };
-  unsigned segments = count < 4 ? 1 : (count - 4) / basis.step + 1;
-  Value *x = apply(Op::mul_float,
-                   {apply(Op::clamp_float, {value, number(0), number(1)}), number(segments)});
-  Value *segment = apply(Op::min_float, {apply(Op::floor, {x}), number(segments - 1)});
+  SmallVector<Value *, basisSlots> chosen(name ? basisSlots : 0, nullptr);
+  if (name)
+    chooseBasis(name, chosen);
+  Value *step = name ? chosen[stepOfBasis] : number(basis.step), *segments;
+  if (name || lengths.count(knots)) {
+    // 1 + floor((count - 4) / step), but at least 1.
+    Value *behind = apply(Op::sub_float, {lengthOf(knots), number(4)});
+    Value *more = apply(Op::floor, {apply(Op::div_float, {behind, step})});
+    segments = apply(Op::max_float, {apply(Op::add_float, {more, number(1)}), number(1)});
+  } else {
+    unsigned count = capacityOf(knots);
+    segments = number(count < 4 ? 1 : (count - 4) / basis.step + 1);
+  }
+  Value *x =
+      apply(Op::mul_float, {apply(Op::clamp_float, {value, number(0), number(1)}), segments});
+  Value *segment =
+      apply(Op::min_float, {apply(Op::floor, {x}), apply(Op::sub_float, {segments, number(1)})});
   Value *t = apply(Op::sub_float, {x, segment});
-  Value *first = apply(Op::mul_float, {segment, number(basis.step)});
+  Value *first = apply(Op::mul_float, {segment, step});
   Value *sum = nullptr;
   for (unsigned i = 0; i < 4; ++i) {
-    const double(&w)[4] = basis.weights[i];
     Value *weight = nullptr;
-    for (double coefficient : w) {
-      if (weight)
-        weight = apply(Op::add_float, {apply(Op::mul_float, {weight, t}), number(coefficient)});
-      else if (coefficient != 0)
-        weight = number(coefficient);
+    for (unsigned k = 0; k < 4; ++k) {
+      double coefficient = basis.weights[i][k];
+      Value *next = name ? chosen[4 * i + k] : nullptr;
+      if (!next && (weight || coefficient != 0))
+        next = number(coefficient);
+      weight = weight ? apply(Op::add_float, {apply(Op::mul_float, {weight, t}), next}) : next;
     }
     if (!weight)
       continue;

@@ -104,7 +104,7 @@ void Lowering::lowerVariable(const VarDecl &decl) {
     if (decl.length) {
       Value *count = lower(decl.length);
       at(decl.range.Start);
-      setLength(slot, count);
+      setLength(slot, count, decl.name, decl.range.Start);
     } else {
       b.call(Op::const_float, {lengths.lookup(slot), b.number(0)});
     }

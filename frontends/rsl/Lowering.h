@@ -49,9 +49,22 @@ private:
     llvm::BasicBlock *onBreak;
     llvm::BasicBlock *onContinue;
   };
+  /// Values that another shader is given, or asked for: where each lies among numbers and texts.
+  struct Message {
+    struct Item {
+      Type type;
+      unsigned capacity = 0; ///< elements that an array has room for; 0: not an array
+      unsigned number = 0, text = 0;
+    };
+    llvm::SmallVector<Item, 8> items;
+    unsigned numberCount = 0, textCount = 0;
+    Value *numbers = nullptr, *texts = nullptr;
+  };
   /// The light that illuminance is at; index null: none.
   struct CurrentLight {
     Value *index = nullptr, *position = nullptr, *normal = nullptr;
+    Value *sentNames = nullptr; ///< null: nothing is sent
+    Message sent;
   };
 
   // Shaders (Lower.cpp)
@@ -78,6 +91,7 @@ private:
   void lowerLoop(const LoopStmt &stmt);
   void lowerReturn(const ReturnStmt &stmt);
   void lowerGather(const GatherStmt &stmt); // LowerGather.cpp
+  Value *packAsked(const GatherStmt &stmt, Message &message);
   bool isOpen() const { return !builder().GetInsertBlock()->getTerminator(); }
   void branchTo(llvm::BasicBlock *block);
   void branchIf(Value *condition, llvm::BasicBlock *whenTrue, llvm::BasicBlock *whenFalse);
@@ -90,6 +104,7 @@ private:
   bool startLightResult(unsigned id, Value *slot);
   void finishLight();
   Value *askLight(Value *name, const Expr *variable, SMLoc loc);
+  void packSent(const LightStmt &stmt, CurrentLight &light);
   Value *callLightSource(const CallExpr &call);
 
   // Expressions (LowerExpr.cpp)
@@ -118,19 +133,28 @@ private:
   void setZero(Type type, Value *slot);
   Value *spaceMatrix(Value *from, Value *to, SMLoc loc);
 
+  // Values for other shaders (LowerMessage.cpp)
+  std::string addItem(Message &message, Type type, unsigned capacity);
+  std::string addItem(Message &message, Type type, Value *value);
+  void makeArrays(Message &message, SMLoc loc);
+  void pack(const Message &message, unsigned item, Value *value);
+  Value *unpack(const Message &message, unsigned item);
+  void appendOperands(const Message &message, llvm::SmallVectorImpl<Value *> &operands);
+  void lowerMethod(const MethodCall &method);
+
   // Other shaders (LowerCoshader.cpp)
-  unsigned packNumbers(Value *value, Type type, ArrayRef<Value *> matrices, unsigned at);
-  Value *unpackNumbers(Type type, ArrayRef<Value *> matrices, unsigned at);
   Value *callCoshader(const CallExpr &call);
   Value *getShader(const CallExpr &call);
   Value *getShaders(const CallExpr &call);
   Value *callMethod(const CallExpr &call);
+  Value *parameterName(const Expr *name, const std::string &shape);
 
   // Arrays whose length changes (LowerArray.cpp)
   static unsigned capacityOf(Value *array);
   Value *lengthOf(Value *array);
   void copyLength(Value *to, Value *from);
-  void setLength(Value *array, Value *count);
+  void setLength(Value *array, Value *count, llvm::StringRef name, SMLoc loc);
+  void warnFull(Value *array, llvm::StringRef name, SMLoc loc);
   Value *callArray(const CallExpr &call);
 
   // Calls (LowerCall.cpp)
@@ -138,10 +162,16 @@ private:
   Value *callBuiltin(const CallExpr &call);
   Value *lowerNamed(const CallExpr &call, const BuiltinOperand &operand);
   Value *callFunction(const CallExpr &call);
+  bool mayBeTraced(const CallExpr &call) const; // LowerTraced.cpp
+  Value *lowerTraced(const CallExpr &call, llvm::ArrayRef<Value *> operands, stc::Op op);
+  Value *rayField(const CallExpr &call, llvm::StringRef name);
   Value *callComponentWise(const CallExpr &call);
   Value *callSpline(const CallExpr &call); // LowerSpline.cpp
-  Value *callQuery(const CallExpr &call);  // LowerQuery.cpp
+  void chooseBasis(Value *name, llvm::MutableArrayRef<Value *> to);
+  Value *callQuery(const CallExpr &call); // LowerQuery.cpp
   Value *query(const stc::QueryKind &kind, Value *subject, Value *name, Type type, Value *variable);
+  Value *queryArray(const stc::QueryKind &kind, Value *subject, Value *name, Type type,
+                    Value *array);
   Value *callShaderName(const CallExpr &call);
   Value *callFormat(const CallExpr &call); // LowerText.cpp
   Value *callConcat(const CallExpr &call);
@@ -169,6 +199,7 @@ private:
   std::set<unsigned> writtenGlobals;
   std::set<const VarDecl *> usedParams;
   llvm::StringRef shaderName;
+  std::optional<ShaderType> shaderType;    ///< nothing in a library
   const stc::ShaderInfo *initOf = nullptr; ///< set while defaults are computed
   llvm::BasicBlock *bodyBlock = nullptr;
   llvm::BasicBlock *exitBlock = nullptr;
@@ -179,6 +210,7 @@ private:
   llvm::BasicBlock *returnBlock = nullptr;
   std::vector<Loop> loops;
   CurrentLight currentLight;
+  bool isSolar = false; ///< in a light shader: within a `solar` statement
   llvm::DenseMap<const Expr *, Value *> namedValues; ///< of the call being lowered
   unsigned expansions = 0;                           ///< of functions, against those that multiply
 };

@@ -32,6 +32,7 @@ class Sema {
 public:
   struct Options {
     bool isLibrary = false; ///< functions define operators (rslc --library)
+    int arrayCapacity = 64; ///< room in arrays that grow by numbers which are not constant
   };
 
   Sema(Ast &ast, DiagnosticEngine &diags, Options options);
@@ -122,10 +123,11 @@ private:
   Expr *checkCoshaderCall(CallExpr &call);
   Expr *checkRemoteMember(MemberExpr &member, TypeKind hint);
   Expr *checkRemoteCall(CallExpr &call, TypeKind hint);
-  void refuseRemote(CallExpr &call, SMLoc loc, const llvm::Twine &why);
+  std::string shapeOf(Type &type, int wantedCapacity) const;
+  void warnDeclined(const NamedGroup::Argument &argument, StringRef function, const Expr &name);
   void makeMethods(StructDecl &decl, llvm::ArrayRef<Stmt *> begin);
   ShaderDecl *makeMethod(StructDecl &decl, FunctionDecl &method, StringRef name,
-                         llvm::ArrayRef<Stmt *> begin);
+                         llvm::ArrayRef<Type> types, llvm::ArrayRef<Stmt *> begin);
 
   // Class shaders (SemaClass.cpp)
   void checkClass(StructDecl &decl);
@@ -147,6 +149,7 @@ private:
   void checkGatherPairs(GatherStmt &stmt, llvm::MutableArrayRef<Expr *> pairs);
   void checkLight(LightStmt &stmt); // SemaLight.cpp
   void checkLightMessages(LightStmt &stmt, llvm::ArrayRef<Expr *> args);
+  bool checkSentValue(Expr *value);
   bool checkAskedLight(Expr *variable, const llvm::Twine &what);
   Expr *checkLightSource(CallExpr &call);
 
@@ -223,10 +226,20 @@ private:
   llvm::SmallVector<const Expr *> varyingConditions;
 };
 
+/// An expression that was reported.
+inline Expr *failed(Expr *expr) {
+  expr->type = {TypeKind::Error};
+  return expr;
+}
+
 /// How many numbers a value is; 0 for one that is no number.
 unsigned componentsOf(Type type);
-/// The most shaders that getshaders() gives.
-inline constexpr int CoshaderLimit = 32;
+/// The names of the curves that spline() knows; some have several.
+llvm::ArrayRef<std::pair<llvm::StringLiteral, SplineBasis>> splineBases();
+/// Whether values are text: strings and handles.
+bool isTextual(TypeKind kind);
+/// The letter of a value that is no array in AnyslMessage: f, t, m, s; v for void, 0 for others.
+char shapeLetter(Type type);
 /// Whether a variable gets a value back where it is an argument of another shader's method.
 bool isRemoteOutput(const VarDecl &decl);
 /// Whether a name asks for another shader: getshader, getvar, …

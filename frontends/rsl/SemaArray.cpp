@@ -20,9 +20,6 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-/// The room in arrays that grow by numbers which are not constant.
-static constexpr int DefaultCapacity = 64;
-
 static std::optional<ArrayOp> arrayOp(StringRef name) {
   return StringSwitch<std::optional<ArrayOp>>(name)
       .Case("resize", ArrayOp::Resize)
@@ -123,7 +120,7 @@ Expr *Sema::checkArrayCall(CallExpr &call) {
           .error(call.args[1]->loc,
                  "an array has at most " + Twine(stc::maxArrayLength) + " elements")
           .range(call.args[1]->range);
-    raiseCapacity(array, number ? std::max(1, int(std::min(*number, 1e6))) : DefaultCapacity);
+    raiseCapacity(array, number ? std::max(1, int(std::min(*number, 1e6))) : options.arrayCapacity);
   }
   call.hasEffects = op != ArrayOp::Capacity;
   if (op == ArrayOp::Resize || op == ArrayOp::Push || op == ArrayOp::Pop)

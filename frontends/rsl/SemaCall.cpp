@@ -127,7 +127,7 @@ Type Sema::probeInner(Expr *expr) {
     if (call->name == "getshader")
       return {TypeKind::Shader};
     if (call->name == "getshaders" || call->name == "getlights")
-      return {TypeKind::Shader, false, CoshaderLimit, nullptr, true};
+      return {TypeKind::Shader, false, options.arrayCapacity, nullptr, true};
     if (call->name == "pop" && args.size() == 1)
       return args[0].element();
     return {specialResult(call->name)};

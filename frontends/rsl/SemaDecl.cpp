@@ -178,11 +178,10 @@ void Sema::checkParam(VarDecl &param) {
     return declare(&param);
   }
   // The host may give an array without a length or elements as many as there is room for.
-  static constexpr int Room = 32;
   auto *list = dyn_cast_or_null<ListExpr>(param.init);
   if (param.type.length == Type::AnyLength && (!param.init || (list && list->elements.empty()))) {
     param.type.isResizable = true;
-    param.type.length = Room;
+    param.type.length = options.arrayCapacity;
   }
   if (!param.init) {
     diags

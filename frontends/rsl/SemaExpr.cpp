@@ -15,11 +15,6 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-static Expr *failed(Expr *expr) {
-  expr->type = {TypeKind::Error};
-  return expr;
-}
-
 /// Something that differs from point to point is named: what the function gives differs too.
 void Sema::useVarying() {
   if (function)

@@ -52,11 +52,30 @@ void Sema::checkGather(GatherStmt &stmt) {
   --loops;
 }
 
+/// What of a surface that a ray meets a pair asks for, if it is no argument of gather's own: groups
+/// as <anysl/abi.h> has them in AnyslHits. A name alone, with a variable, is one of the surface
+/// shader's.
+static std::optional<std::string> askedByGather(StringRef word, const Expr *value,
+                                                const NamedGroup &group) {
+  auto [kind, name] = word.split(':');
+  if (is_contained({"surface", "displacement", "primitive", "attribute"}, kind) && !name.empty() &&
+      !name.contains(','))
+    return word.str();
+  SmallVector<StringRef, 32> known;
+  for (const NamedGroup::Argument &argument : group.arguments)
+    known.push_back(argument.name);
+  if (word.empty() || word.contains(':') || word.contains(',') || !isa<NameExpr>(value) ||
+      !didYouMean(word, known).empty())
+    return std::nullopt;
+  return ("surface:" + word).str();
+}
+
 void Sema::checkGatherPairs(GatherStmt &stmt, MutableArrayRef<Expr *> pairs) {
   const NamedGroup &group =
       *llvm::find_if(namedGroups(), [](const NamedGroup &known) { return known.name == "gather"; });
   std::vector<Expr *> named(group.fields.size(), nullptr);
   std::vector<GatherStmt::Output> outputs;
+  std::vector<LightMessage> asked;
   for (size_t i = 0; i < pairs.size(); i += 2) {
     auto *name = dyn_cast<StringExpr>(pairs[i]);
     if (!name || i + 1 == pairs.size()) {
@@ -76,6 +95,7 @@ void Sema::checkGatherPairs(GatherStmt &stmt, MutableArrayRef<Expr *> pairs) {
                                                  ("argument \"" + word + "\" of 'gather'").str());
       for (unsigned field : argument->fields)
         named[field] = value;
+      warnDeclined(*argument, "gather", *name);
       continue;
     }
     value = check(value);
@@ -90,6 +110,18 @@ void Sema::checkGatherPairs(GatherStmt &stmt, MutableArrayRef<Expr *> pairs) {
             .range(value->range);
       checkTarget(value, true, value->loc, ("output \"" + word + "\" of 'gather'").str());
       outputs.push_back({known->value, known->type, value});
+      continue;
+    }
+    if (std::optional<std::string> name = askedByGather(word, value, group)) {
+      checkTarget(value, true, value->loc, ("output \"" + word + "\" of 'gather'").str());
+      char letter = shapeLetter(value->type.element());
+      if (!value->type.isError() && (!letter || letter == 'v' || value->type.isResizable))
+        diags
+            .error(value->loc, "a variable of type '" + toString(value->type) + "' cannot hold \"" +
+                                   word + "\"")
+            .range(value->range);
+      else
+        asked.push_back({ast.save(*name), value});
       continue;
     }
     SmallVector<StringRef, 32> names;
@@ -111,6 +143,7 @@ void Sema::checkGatherPairs(GatherStmt &stmt, MutableArrayRef<Expr *> pairs) {
   }
   stmt.named = ast.copy<Expr *>(named);
   stmt.outputs = ast.copy<GatherStmt::Output>(outputs);
+  stmt.asked = ast.copy<LightMessage>(asked);
 }
 
 } // namespace anysl::rsl

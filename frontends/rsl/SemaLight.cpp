@@ -59,7 +59,7 @@ void Sema::checkLight(LightStmt &stmt) {
 /// What later renderers take behind the other arguments: "light:NAME", variable asks each light,
 /// "send:light:NAME", value tells it, "lightcache", "refresh" or "reuse" is about speed only.
 void Sema::checkLightMessages(LightStmt &stmt, ArrayRef<Expr *> args) {
-  std::vector<LightMessage> messages;
+  std::vector<LightMessage> asked, sent;
   for (; !args.empty(); args = args.drop_front(std::min<size_t>(args.size(), 2))) {
     Expr *given = check(args[0]);
     auto *name = dyn_cast<StringExpr>(given);
@@ -81,13 +81,11 @@ void Sema::checkLightMessages(LightStmt &stmt, ArrayRef<Expr *> args) {
     StringRef key = name->value;
     Expr *value = check(args[1]);
     if (key.consume_front("send:light:")) {
-      diags
-          .warning(name->loc, warn::Unsent,
-                   "nothing is sent to lights; '" + key + "' keeps its value")
-          .range(name->range);
+      if (checkSentValue(value))
+        sent.push_back({key, value});
     } else if (key.consume_front("light:")) {
       if (checkAskedLight(value, "'" + name->value + "'"))
-        messages.push_back({key, value});
+        asked.push_back({key, value});
     } else if (key != "lightcache") {
       StringRef known[] = {"light:", "send:light:", "lightcache"};
       diags
@@ -96,7 +94,19 @@ void Sema::checkLightMessages(LightStmt &stmt, ArrayRef<Expr *> args) {
           .range(name->range);
     }
   }
-  stmt.messages = ast.copy<LightMessage>(messages);
+  stmt.asked = ast.copy<LightMessage>(asked);
+  stmt.sent = ast.copy<LightMessage>(sent);
+}
+
+/// A value for a light's parameter.
+bool Sema::checkSentValue(Expr *value) {
+  char letter = shapeLetter(value->type.element());
+  if (!value->type.isError() && (!letter || letter == 'v'))
+    diags
+        .error(value->loc,
+               "a value of type '" + toString(value->type) + "' cannot be sent to a light")
+        .range(value->range);
+  return letter && letter != 'v';
 }
 
 /// A variable that a light's parameter is to be put into.
@@ -105,9 +115,9 @@ bool Sema::checkAskedLight(Expr *variable, const Twine &what) {
   checkTarget(variable, false, variable->loc, what.str());
   if (variable->type.isError())
     return false;
-  if (!variable->type.isArray())
+  if (!variable->type.isResizable)
     return true;
-  diags.error(variable->loc, what + " needs a variable that is no array").range(variable->range);
+  diags.error(variable->loc, what + " needs an array of constant length").range(variable->range);
   return false;
 }
 

@@ -64,6 +64,17 @@ void Sema::splitNamed(CallExpr &call) {
   call.rest = ast.copy<Expr *>(rest);
 }
 
+/// Says that an argument, which would change the result elsewhere, does not here.
+void Sema::warnDeclined(const NamedGroup::Argument &argument, StringRef function,
+                        const Expr &name) {
+  if (argument.isDeclined)
+    diags
+        .warning(name.loc, warn::DeclinedArgument,
+                 "argument \"" + argument.name + "\" of '" + function +
+                     "' changes nothing: " + argument.meaning)
+        .range(name.range);
+}
+
 /// Finds the field of each argument by name, and checks its value.
 void Sema::checkNamed(CallExpr &call, const NamedGroup &group, bool &varying, bool &bad) {
   MutableArrayRef<Expr *> named =
@@ -118,6 +129,8 @@ void Sema::checkNamed(CallExpr &call, const NamedGroup &group, bool &varying, bo
       varying |= value->type.varying;
     } else {
       value = check(value, argument ? argument->type : TypeKind::Error);
+      if (argument)
+        warnDeclined(*argument, call.name, *name);
     }
     bad |= value->type.isError();
     call.hasEffects |= value->hasEffects;

@@ -58,13 +58,7 @@ Expr *Sema::checkQuery(CallExpr &call) {
               ("output argument " + Twine(texts + 1) + " of '" + call.name + "'").str());
   call.hasEffects = true;
   Type type = variable->type;
-  if (type.isResizable) {
-    diags
-        .error(variable->loc,
-               "'" + call.name + "' does not set the length of an array; it needs a constant one")
-        .range(variable->range);
-    bad = true;
-  }
+  raiseCapacity(variable, options.arrayCapacity);
   if (!bad && !type.isError())
     call.type = {TypeKind::Float, varying};
   return &call;

@@ -7,8 +7,6 @@
 
 #include "frontends/rsl/Sema.h"
 
-#include "llvm/ADT/StringSwitch.h"
-
 using namespace llvm;
 
 namespace anysl::rsl {
@@ -53,6 +51,20 @@ Expr *Sema::checkArrayLengthCall(CallExpr &call) {
   return number;
 }
 
+ArrayRef<std::pair<StringLiteral, SplineBasis>> splineBases() {
+  static constexpr std::pair<StringLiteral, SplineBasis> bases[] = {
+      {"catmull-rom", SplineBasis::CatmullRom},
+      {"catmullrom", SplineBasis::CatmullRom},
+      {"catmull-rom-spline", SplineBasis::CatmullRom},
+      {"bezier", SplineBasis::Bezier},
+      {"bspline", SplineBasis::BSpline},
+      {"b-spline", SplineBasis::BSpline},
+      {"hermite", SplineBasis::Hermite},
+      {"power", SplineBasis::Power},
+      {"linear", SplineBasis::Linear}};
+  return bases;
+}
+
 /// spline([basis,] value, array) or spline([basis,] value, k0, k1, k2, k3, …). The type of the
 /// knots is what the context wants, if they convert to it, else their own.
 Expr *Sema::checkSpline(CallExpr &call, TypeKind hint) {
@@ -62,28 +74,25 @@ Expr *Sema::checkSpline(CallExpr &call, TypeKind hint) {
   bool hasBasis = !args.empty() && probe(args[0]).is(TypeKind::String);
   if (hasBasis) {
     args[0] = check(args[0]);
-    auto *name = dyn_cast<StringExpr>(args[0]);
-    auto basis =
-        StringSwitch<std::optional<SplineBasis>>(name ? name->value : "")
-            .Cases("catmull-rom", "catmullrom", "catmull-rom-spline", SplineBasis::CatmullRom)
-            .Case("bezier", SplineBasis::Bezier)
-            .Cases("bspline", "b-spline", SplineBasis::BSpline)
-            .Case("hermite", SplineBasis::Hermite)
-            .Case("power", SplineBasis::Power)
-            .Case("linear", SplineBasis::Linear)
-            .Default(std::nullopt);
-    if (!basis) {
-      StringRef names[] = {"catmull-rom", "bezier", "bspline", "hermite", "power", "linear"};
-      auto error = diags.error(args[0]->loc, name ? "unknown basis '" + name->value.str() + "'" +
-                                                        didYouMean(name->value, names)
-                                                  : std::string("the basis of a spline must be "
-                                                                "constant text"));
-      error.range(args[0]->range);
-      return &call;
+    if (auto *name = dyn_cast<StringExpr>(args[0])) {
+      const auto *known = llvm::find_if(
+          splineBases(), [&](const auto &basis) { return basis.first == name->value; });
+      if (known == splineBases().end()) {
+        SmallVector<StringRef, 9> names;
+        for (const auto &basis : splineBases())
+          names.push_back(basis.first);
+        diags
+            .error(args[0]->loc,
+                   "unknown basis '" + name->value.str() + "'" + didYouMean(name->value, names))
+            .range(args[0]->range);
+        return &call;
+      }
+      call.basis = known->second;
+    } else {
+      call.basisName = args[0];
     }
-    call.basis = *basis;
     args = args.drop_front();
-    // The basis is known now: what remains are the value and the knots.
+    // What remains are the value and the knots.
     call.args = args;
   }
   bool isArray = args.size() == 2 && probe(args[1]).isArray();
@@ -95,11 +104,17 @@ Expr *Sema::checkSpline(CallExpr &call, TypeKind hint) {
   args[0] = checkAs(args[0], {TypeKind::Float, true}, "the value for 'spline'");
   bool varying = args[0]->type.varying, bad = args[0]->type.isError();
   call.hasEffects = args[0]->hasEffects;
+  if (call.basisName) {
+    varying |= call.basisName->type.varying;
+    bad |= call.basisName->type.isError();
+    call.hasEffects |= call.basisName->hasEffects;
+  }
   TypeKind kind = probe(args[1]).kind;
   if (isArray) {
     args[1] = check(args[1]);
     varying |= args[1]->type.varying;
-    if (args[1]->type.length != Type::AnyLength && args[1]->type.length < 4) {
+    if (!args[1]->type.isResizable && args[1]->type.length != Type::AnyLength &&
+        args[1]->type.length < 4) {
       diags.error(args[1]->loc, "a spline needs at least four knots").range(args[1]->range);
       bad = true;
     }

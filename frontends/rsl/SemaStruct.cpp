@@ -20,11 +20,6 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-static Expr *failed(Expr *expr) {
-  expr->type = {TypeKind::Error};
-  return expr;
-}
-
 void Sema::checkStruct(StructDecl &decl) {
   auto [entry, isNew] = scopes.back().structs.try_emplace(decl.name, &decl);
   if (!isNew)

@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 /** Changes when any structure below does; a library of another version is refused. */
-#define ANYSL_ABI_VERSION 2
+#define ANYSL_ABI_VERSION 3
 /** The first field of AnyslLibraryInfo: "AnSL" read as a little-endian number. */
 #define ANYSL_MAGIC 0x4c536e41u
 /** The one symbol that a shader library exports, an AnyslLibraryInfo. */
@@ -112,8 +112,8 @@ typedef struct AnyslLight {
   float cos_inner;    /**< spot: full light where it is above this */
   float beam;         /**< spot: exponent of the cosine */
   const char *category; /**< the categories that it belongs to, comma-separated; null: none */
-  const void
-      *shader; /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
+  const void *shader;   /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
+  const char *handle;   /**< what getlights() calls it, a name that call_method knows; null: left out */
 } AnyslLight;
 
 struct AnyslShadeArgs;
@@ -152,6 +152,23 @@ typedef void AnyslTextureService(void *renderer, const struct AnyslShadeArgs *ar
                                  uint32_t width, uint32_t mask, const AnyslTextureRequest *request,
                                  const AnyslTexturePoints *points, float *result);
 
+/**
+ * Values that one shader hands to another, or asks for. `what` names them; their numbers lie one after
+ * the other in `numbers`, their texts in `texts`. A value is described by a letter, f for a float, t
+ * for a color, point, vector or normal, m for a matrix (row by row), s for text, and, of an array, its
+ * length: f4. f*4 is an array of at most four floats, whose length lies in `numbers` before them; there
+ * is room for all. Names and letters are apart by colons, values by commas: "intensity:f,from:t,name:s".
+ */
+typedef struct AnyslMessage {
+  uint32_t struct_size;
+  uint32_t number_count;
+  uint32_t text_count;
+  uint32_t reserved;
+  const char *what;
+  double *numbers;
+  const char **texts; /**< never null pointers in it */
+} AnyslMessage;
+
 /** What rays meet first, for each number an array with one element a point. */
 typedef struct AnyslHits {
   uint32_t struct_size;
@@ -161,20 +178,28 @@ typedef struct AnyslHits {
   float *Ng[3];    /**< the geometric normal there, likewise */
   float *color[3]; /**< what the surface sends back; of a ray that met nothing, what arrives */
   float *opacity[3];
+  AnyslMessage *values;   /**< one for each point, or null: what else is asked about a surface, named
+                               "surface:NAME", "displacement:NAME" (parameters of the shader, after it
+                               has run), "primitive:NAME" (a primitive variable) or "attribute:NAME"; what
+                               is not there is left as it is */
 } AnyslHits;
 
 /** What shaders ask for by name, by the names of QueryKinds.def: ANYSL_QUERY_attribute, ... */
 typedef enum AnyslQueryKind {
 #define ANYSL_QUERY(id, name, storage, doc) ANYSL_QUERY_##name = id,
 #include <anysl/QueryKinds.def>
-  ANYSL_QUERY_KIND_COUNT
+  ANYSL_QUERY_KIND_COUNT,
+  ANYSL_QUERY_PRIMITIVE = 0 /**< a primitive variable, of what a ray has met */
 } AnyslQueryKind;
+
+#define ANYSL_ANY_LENGTH 0xffffffffu
 
 /** One question: attribute("user:weights", w) for one element of w. */
 typedef struct AnyslQuery {
   uint32_t kind;         /**< AnyslQueryKind */
   uint32_t type;         /**< AnyslType of the variable; ANYSL_VECTOR also for points and normals */
-  uint32_t array_length; /**< of the variable; 0: not an array */
+  uint32_t array_length; /**< of the variable; 0: not an array; ANYSL_ANY_LENGTH: the value's, and an
+                              element that it does not have gives 0 */
   uint32_t element;      /**< of the variable: which of its elements is wanted */
   uint32_t light;        /**< lightsource: the light's number in AnyslShadeArgs::lights */
   uint32_t reserved;
@@ -249,32 +274,34 @@ typedef struct AnyslServices {
                     uint32_t width, uint32_t mask, const float *const P[3], const float *const R[3],
                     const float *reach, const AnyslHits *hits);
   /**
-   * Runs the light shader args->lights[light] for a position P with normal N: nine numbers, L from
-   * P to the light, Cl and Ol. L is zero where no light arrives. These three services are
-   * libanysl's own where they are null.
+   * Runs the light shader args->lights[light] for a position P with normal N: nine numbers, L from P
+   * to the light, Cl and Ol. L is zero where no light arrives. light, light_packet, light_value and
+   * light_sent are libanysl's own where they are all null.
    */
   void (*light)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, uint32_t light,
                 const double P[3], const double N[3], double result[9]);
   void (*light_packet)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
                        uint32_t width, uint32_t mask, uint32_t light, const float *P,
                        const float *N, float *result);
-  /** A parameter of any light as it is for that position, if it has one of that name and AnyslType,
-      else 0. The standard kinds have __nondiffuse, __nonspecular, __category and from. */
-  int (*light_value)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
-                     uint32_t light, const double P[3], const double N[3], const char *name,
-                     uint32_t type, AnyslCell *value);
   /**
-   * Calls a method of another shader at one point. Gives 1 if there are such a shader and method,
-   * else 0; libanysl's anysl_method_call() does it. `method` is "bump(tf)f"  a name, the arguments'
-   * types (f float, t triple, m matrix), the result's (v: none); values are the arguments' numbers,
-   * and afterwards what the method made of them, and behind them, or where no room is left from the
-   * first on, the result
-   *   ".Kd"        a parameter; values are set to its numbers
-   *   ""           whether there is such a shader
+   * A parameter of any light as it is for that position, with what `sent` (null: nothing) tells it:
+   * answers a question of kind `lightsource`, as `query` does. The standard kinds have __nondiffuse,
+   * __nonspecular, __category and from.
+   */
+  int (*light_value)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                     uint32_t light, const double P[3], const double N[3], const AnyslMessage *sent,
+                     const AnyslQuery *query, AnyslCell *value);
+  /**
+   * Calls a method of another shader at one point. Gives 1 if there are such a shader and method, else
+   * 0; libanysl's anysl_method_call() does it. message->what is
+   *   "bump(tf3s)f"  a name, the arguments' letters and the result's (v: none); numbers and texts are
+   *                  the arguments', and afterwards what the method made of them; the result's lie behind
+   *   ".Kd:f"        a parameter, which is set to its value if it is of this type or one that converts
+   *   ""             whether there is such a shader
    * Neutral: 0.
    */
   int (*call_method)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
-                     const char *shader, const char *method, double values[32]);
+                     const char *shader, AnyslMessage *message);
   /** The name of shader number `index` among those of a category (""; all) that methods of can be
       called; null behind the last. Neutral: there are none. */
   const char *(*shader_name)(void *renderer, const struct AnyslShadeArgs *args,
@@ -289,6 +316,14 @@ typedef struct AnyslServices {
    */
   int (*query)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
                const AnyslQuery *query, AnyslCell *value);
+  /** As `light`, of a light shader whose parameters named in `sent` have these values, if they can take
+      them as the shading language would assign them. One of the four that are libanysl's own. */
+  void (*light_sent)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, uint32_t light,
+                     const double P[3], const double N[3], const AnyslMessage *sent,
+                     double result[9]);
+  /** Something that a shader cannot do and leaves out, with its place. libanysl's own writes each text
+      once, to the standard error output. */
+  void (*warn)(void *renderer, const struct AnyslShadeArgs *args, const char *text);
 } AnyslServices;
 
 /** The name by which a shader asks for the name of another, or of itself, as a string. */

@@ -37,18 +37,18 @@ extern "C" {
 #endif
 
 /** Grows by one whenever this header gains a function; functions never change their meaning. */
-#define ANYSL_API_VERSION 2
+#define ANYSL_API_VERSION 3
 #define ANYSL_API __attribute__((visibility("default")))
 
 /* The structures of <anysl/abi.h> as libraries and renderers were compiled with them. */
 #define ANYSL_ASSERT_SIZE(type, size)                                                              \
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
-ANYSL_ASSERT_SIZE(AnyslLight, 72);
-ANYSL_ASSERT_SIZE(AnyslServices, 176);
+ANYSL_ASSERT_SIZE(AnyslLight, 80);
+ANYSL_ASSERT_SIZE(AnyslServices, 192);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
 ANYSL_ASSERT_SIZE(AnyslTexturePoints, 96);
-ANYSL_ASSERT_SIZE(AnyslHits, 112);
+ANYSL_ASSERT_SIZE(AnyslHits, 120);
 ANYSL_ASSERT_SIZE(AnyslShadeArgs, 128);
 ANYSL_ASSERT_SIZE(AnyslQuery, 40);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
@@ -186,6 +186,7 @@ ANYSL_API AnyslStatus anysl_instance_get_strings(const AnyslInstance *instance, 
  * all its elements (\p array_length 0: not an array). Returns 1 and sets \p value if the variable
  * can take it: of the same length, and of the same type or of one that converts as in the shading
  * language (a float to anything but text; colours, points, vectors and normals to each other).
+ * A variable of ANYSL_ANY_LENGTH takes an element of any array that has it.
  */
 ANYSL_API int anysl_answer(const AnyslQuery *query, uint32_t type, uint32_t array_length,
                            const AnyslCell *cells, AnyslCell *value);
@@ -206,12 +207,31 @@ ANYSL_API void anysl_instance_fill_args(const AnyslInstance *instance, AnyslShad
 
 /**
  * Calls a public method of a class shader, of which \p instance is any shader, at one point of
- * another shader's batch: what a renderer does in AnyslServices::call_method, which describes \p
- * method and \p values. Gives 1, or 0 where the class has no such method or \p args lacks globals
- * that it names. Both libraries must have one layout and number format.
+ * another shader's batch, or reads a parameter: what a renderer does in AnyslServices::call_method,
+ * which describes \p message. Gives 1, or 0 where the class has no such method, the shader no such
+ * parameter, or \p args lacks globals that the method names. For a method both libraries must have
+ * one layout and number format.
  */
 ANYSL_API int anysl_method_call(const AnyslInstance *instance, const AnyslShadeArgs *args,
-                                uint32_t point, const char *method, double values[32]);
+                                uint32_t point, AnyslMessage *message);
+
+/**
+ * The same for the light of \p args that has this handle, which getlights() gave a shader. Of a light
+ * of a standard kind it reads what AnyslServices::light_value knows. Gives 0 where there is no such
+ * light.
+ */
+ANYSL_API int anysl_light_call(const AnyslShadeArgs *args, uint32_t point, const char *handle,
+                               AnyslMessage *message);
+
+/**
+ * Sets the values that a message of AnyslHits asks for: \p ask is called with \p data and a question
+ * of kind surface, displacement, attribute or ANYSL_QUERY_PRIMITIVE. Where it gives 0 the value
+ * stays as it is.
+ */
+ANYSL_API void anysl_message_answer(AnyslMessage *message,
+                                    int (*ask)(void *data, const AnyslQuery *query,
+                                               AnyslCell *value),
+                                    void *data);
 
 /*===-- Batches -------------------------------------------------------------===*/
 

@@ -50,6 +50,7 @@ extern "C" {
 #define In(T) const anysl_##T *
 #define Out(T) anysl_##T *
 #define InOut(T) anysl_##T *
+#define Array(T) anysl_##T *
 #define Ctx anysl_context *
 #define Type const void *
 #define Slot void *
@@ -67,6 +68,7 @@ extern "C" {
 #undef In
 #undef Out
 #undef InOut
+#undef Array
 #undef Ctx
 #undef Type
 #undef Slot

@@ -58,6 +58,9 @@ using LibraryRef = std::shared_ptr<const LoadedLibrary>;
 /// Gives services that a renderer does not offer (LightShaders.cpp).
 void completeLightServices(AnyslServices &services);
 
+/// Answers a question about a light of a standard kind (LightShaders.cpp).
+int standardLightValue(const AnyslLight &light, const AnyslQuery &query, AnyslCell *value);
+
 /// Whether everything the descriptor says can be relied upon; fails with a message if not.
 AnyslStatus checkDescriptor(const LoadedLibrary &library);
 

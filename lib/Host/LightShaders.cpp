@@ -5,317 +5,50 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// What a renderer gets that offers no service `light` of its own. A light shader is asked about a
-// few points of another shader's batch; it gets a batch of its own in which those points have the
-// same numbers, so that its services find what the renderer knows about them, and its own random
-// sequences. Only points that ask are run, in runs of consecutive ones: the renderer must not see
-// a ray that no point asks for.
+// What a renderer gets that offers no service `light` of its own.
 //
 // diffuse(), specular() and so on ask for the same positions one after the other. Results are kept
 // by light for sixteen points at a time, from anysl_lights_begin() to anysl_lights_end(), during
-// which nothing but the position and the normal can change that a light shader sees.
+// which nothing but the position and the normal can change that a light shader sees. What depends
+// on values that were sent is kept apart, for the point that was asked last and the values sent to
+// it.
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/Host/Internal.h"
+#include "lib/Host/LightRun.h"
+#include "lib/Host/Message.h"
 #include <algorithm>
-#include <anysl/hash.h>
 #include <string_view>
 
 using namespace anysl::host;
 
+//===-- What is kept --------------------------------------------------------------------------===//
+
 namespace {
 
-constexpr uint32_t laneCount = 16;
-constexpr uint32_t resultCount = 9;                         // L, Cl, Ol
-constexpr size_t cellBytes = laneCount * sizeof(AnyslCell); ///< of all lanes of a number or text
+/// A light shader's parameters with values that were sent, and what it gave with them.
+struct SentAnswer {
+  std::string what;
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  std::vector<AnyslCell> cells; ///< texts in them live in `texts`
+  Answer answer;
 
-constexpr int firstComponents[] = {
-#define ANYSL_GLOBAL(id, name, type, components, storage, doc) ANYSL_COMPONENT_##name,
-#include <anysl/Globals.def>
+  bool isOf(const AnyslMessage &sent) const {
+    return what == sent.what && texts.size() == sent.text_count &&
+           std::equal(numbers.begin(), numbers.end(), sent.numbers,
+                      sent.numbers + sent.number_count) &&
+           std::equal(texts.begin(), texts.end(), sent.texts);
+  }
+  void set(const AnyslInstance &light, const AnyslMessage &sent);
 };
-
-constexpr int componentCounts[] = {
-#define ANYSL_GLOBAL(id, name, type, components, storage, doc) components,
-#include <anysl/Globals.def>
-};
-
-constexpr bool isUniform[] = {
-#define uniform true
-#define varying false
-#define ANYSL_GLOBAL(id, name, type, components, storage, doc) storage,
-#include <anysl/Globals.def>
-#undef uniform
-#undef varying
-};
-
-/// An address as if the array began at point 0.
-template <class Real>
-void *fromPointZero(Real *array, uint32_t firstPoint, size_t realsPerPoint) {
-  return reinterpret_cast<void *>(reinterpret_cast<uintptr_t>(array) -
-                                  size_t(firstPoint) * realsPerPoint * sizeof(Real));
-}
-
-uint32_t lowestLane(uint32_t mask) { return uint32_t(__builtin_ctz(mask)); }
-
-/// A question: positions and normals of lanes.
-struct Question {
-  double P[3][laneCount], N[3][laneCount];
-};
-
-/// What a light gave at the points base to base + 15.
-struct Answer {
-  uint32_t base = 0;
-  uint32_t known = 0; ///< lanes that hold an answer
-  Question asked;
-  double result[resultCount][laneCount];
-  AlignedBuffer outputs; ///< of the shader's output parameters, as it stores them
-};
-
-/// Where an output parameter's values lie in an answer; element e, component c of a lane is at
-/// SoA: [(e*n + c) * 16 + lane], AoS: [(e*16 + lane) * n + c].
-template <class Value>
-Value *outputPlace(const Answer &answer, const AnyslParamInfo &param) {
-  return reinterpret_cast<Value *>(answer.outputs.get() + param.first_cell * cellBytes);
-}
-
-bool isOutput(const AnyslParamInfo &param) { return param.flags & ANYSL_PARAM_OUTPUT; }
-
-/// The shader's view of the surface's batch and of the light.
-template <class Real>
-class Run {
-public:
-  Run(const AnyslShadeArgs &surface, uint32_t lightIndex, Answer &answer)
-      : surface(surface), light(surface.lights[lightIndex]),
-        instance(*static_cast<const AnyslInstance *>(light.shader)), answer(answer),
-        soa(instance.library->info->layout == ANYSL_LAYOUT_SOA) {
-    for (uint32_t lane = 0; lane < laneCount; ++lane) {
-      uint32_t point = answer.base + lane;
-      // The surface's numbers and those of other lights must not be the same.
-      seeds[lane] = surface.seeds && point < surface.count ? surface.seeds[point] : point;
-      seeds[lane] =
-          anysl::mixBits(anysl::mixBits(seeds[lane]) + (lightIndex + 1) * anysl::goldenStep);
-    }
-  }
-
-  void shade(uint32_t lanes) {
-    AnyslShadeArgs args;
-    anysl_instance_fill_args(&instance, &args);
-    args.count = answer.base + laneCount;
-    args.batch = surface.batch;
-    args.seeds = static_cast<const uint32_t *>(fromPointZero(seeds, answer.base, 1));
-    placeGlobals(args);
-    placeOutputs(args);
-    for (uint32_t rest = lanes; rest;) {
-      uint32_t begin = lowestLane(rest), end = begin + lowestLane(~(rest >> begin));
-      entryFor(end - begin)(&args, answer.base + begin, answer.base + end);
-      rest &= end < laneCount ? ~0u << end : 0;
-    }
-    readResults(lanes);
-  }
-
-private:
-  static constexpr uint32_t slots = 2 * laneCount; // whole vectors may be loaded at the end
-
-  Real *slotsOf(int component) { return soa ? data + component * slots : data + component; }
-  size_t step() const { return soa ? 1 : ANYSL_COMPONENT_COUNT; }
-
-  void put(int global, int component, const double *lanes) {
-    Real *to = slotsOf(firstComponents[global] + component);
-    for (uint32_t lane = 0; lane < laneCount; ++lane)
-      to[lane * step()] = Real(lanes[lane]);
-  }
-  void put(int global, int component, double value) {
-    double lanes[laneCount];
-    std::fill_n(lanes, laneCount, value);
-    put(global, component, lanes);
-  }
-
-  /// Copies a component from the surface's batch. Uniform globals have one value there where they
-  /// lie as structures of arrays.
-  template <class SurfaceReal>
-  void copy(int global, int component, uint32_t lanes) {
-    bool fromSoa = surface.library->layout == ANYSL_LAYOUT_SOA;
-    int at = firstComponents[global] + component;
-    auto *from = static_cast<const SurfaceReal *>(surface.globals[fromSoa ? at : 0]);
-    double values[laneCount] = {};
-    for (uint32_t rest = lanes; rest; rest &= rest - 1) {
-      size_t lane = lowestLane(rest), point = answer.base + lane;
-      values[lane] = from[!fromSoa            ? point * ANYSL_COMPONENT_COUNT + at
-                          : isUniform[global] ? 0
-                                              : point];
-    }
-    if (isUniform[global]) // of the lanes that ask, which all have the same
-      std::fill_n(values, laneCount, values[lowestLane(lanes)]);
-    put(global, component, values);
-  }
-
-  void placeGlobals(AnyslShadeArgs &args) {
-    uint64_t used = instance.shader->globals_read | instance.shader->globals_written;
-    uint32_t lanes = lanesInBatch();
-    for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global) {
-      if (!(used >> global & 1))
-        continue;
-      for (int c = 0; c < componentCounts[global]; ++c)
-        fill(global, c, lanes);
-    }
-    if (!soa) {
-      pointers[0] = fromPointZero(data, answer.base, ANYSL_COMPONENT_COUNT);
-    } else {
-      for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global)
-        for (int c = 0; c < componentCounts[global]; ++c) {
-          int at = firstComponents[global] + c;
-          pointers[at] = isUniform[global] ? static_cast<void *>(slotsOf(at))
-                                           : fromPointZero(slotsOf(at), answer.base, 1);
-        }
-    }
-    args.globals = pointers;
-    args.globals_given = used;
-  }
-
-  uint32_t lanesInBatch() const {
-    uint32_t points = std::min(surface.count - answer.base, laneCount);
-    return points == laneCount ? 0xffffu : (1u << points) - 1;
-  }
-
-  void fill(int global, int c, uint32_t lanes) {
-    switch (global) {
-    case ANYSL_Ps:
-      return put(global, c, answer.asked.P[c]);
-    case ANYSL_Ns:
-      return put(global, c, answer.asked.N[c]);
-    case ANYSL_P:
-      return put(global, c, double(light.from[c]));
-    case ANYSL_N:
-    case ANYSL_Ng:
-      return put(global, c, double(light.direction[c]));
-    case ANYSL_Ol:
-      return put(global, c, 1.0);
-    case ANYSL_L:
-    case ANYSL_Cl:
-    case ANYSL_Ci:
-    case ANYSL_Oi:
-    case ANYSL_dNdu: // the light's own, which are those of one place
-    case ANYSL_dNdv:
-      return put(global, c, 0.0);
-    default:
-      break;
-    }
-    if (!surface.library || !(surface.globals_given >> global & 1))
-      return put(global, c, global == ANYSL_ncomps ? 3.0 : global == ANYSL_alpha ? 1.0 : 0.0);
-    if (surface.library->real == ANYSL_REAL_DOUBLE)
-      copy<double>(global, c, lanes);
-    else
-      copy<float>(global, c, lanes);
-  }
-
-  /// Output parameters go to the answer, one after the other as their cells do.
-  void placeOutputs(AnyslShadeArgs &args) {
-    const AnyslShaderInfo &shader = *instance.shader;
-    flags.resize(shader.param_count + 1);
-    for (uint32_t i = 0; i < shader.param_count; ++i) {
-      const AnyslParamInfo &param = shader.params[i];
-      if (!isOutput(param))
-        continue;
-      if (!answer.outputs.get())
-        answer.outputs = AlignedBuffer((size_t(shader.cell_count) + 1) * cellBytes);
-      places.resize(shader.param_count);
-      flags[i] = ANYSL_PARAM_ONLY_OUT;
-      if (param.type == ANYSL_STRING)
-        places[i] = fromPointZero(outputPlace<const char *>(answer, param), answer.base, 1);
-      else
-        places[i] = fromPointZero(outputPlace<Real>(answer, param), answer.base,
-                                  soa ? 1 : anysl_type_components(param.type));
-    }
-    args.param_is_set = flags.data();
-    args.param_data = places.empty() ? nullptr : places.data();
-    args.data_stride = laneCount;
-  }
-
-  /// The narrowest code that takes so many points at once, else the widest.
-  AnyslShadeFunction entryFor(uint32_t points) const {
-    const AnyslShaderInfo &shader = *instance.shader;
-    const AnyslEntryInfo *best = &shader.entries[0];
-    for (uint32_t i = 1; i < shader.entry_count; ++i) {
-      const AnyslEntryInfo &entry = shader.entries[i];
-      bool better = best->width < points ? entry.width > best->width
-                                         : entry.width >= points && entry.width < best->width;
-      if (better)
-        best = &entry;
-    }
-    return best->shade;
-  }
-
-  /// In the light L points away from it; illuminance looks the other way.
-  void readResults(uint32_t lanes) {
-    constexpr int globals[] = {ANYSL_L, ANYSL_Cl, ANYSL_Ol};
-    for (uint32_t g = 0; g < 3; ++g)
-      for (uint32_t c = 0; c < 3; ++c) {
-        bool written = instance.shader->globals_written >> globals[g] & 1;
-        const Real *from = slotsOf(firstComponents[globals[g]] + int(c));
-        double *to = answer.result[3 * g + c];
-        for (uint32_t rest = lanes; rest; rest &= rest - 1) {
-          uint32_t lane = lowestLane(rest);
-          double value = written ? double(from[lane * step()]) : g == 2 ? 1 : 0;
-          to[lane] = g == 0 ? 0 - value : value;
-        }
-      }
-  }
-
-  const AnyslShadeArgs &surface;
-  const AnyslLight &light;
-  const AnyslInstance &instance;
-  Answer &answer;
-  bool soa;
-  uint32_t seeds[laneCount];
-  std::vector<void *> places; ///< of output parameters
-  std::vector<uint8_t> flags;
-  void *pointers[ANYSL_COMPONENT_COUNT] = {};
-  alignas(64) Real data[ANYSL_COMPONENT_COUNT * slots];
-};
-
-/// Answers a question for some points first + lane of a batch, as far as it is not known yet.
-void answerLanes(const AnyslShadeArgs &surface, uint32_t light, uint32_t first, uint32_t lanes,
-                 const Question &question, Answer &answer) {
-  const auto &instance = *static_cast<const AnyslInstance *>(surface.lights[light].shader);
-  uint32_t last = 31 - uint32_t(__builtin_clz(lanes));
-  if (first < answer.base || first + last >= answer.base + laneCount) {
-    answer.base = first;
-    answer.known = 0;
-  }
-  uint32_t shift = first - answer.base, missing = 0;
-  bool readsNormal = instance.shader->globals_read >> ANYSL_Ns & 1;
-  for (uint32_t rest = lanes; rest; rest &= rest - 1) {
-    uint32_t from = lowestLane(rest), to = from + shift;
-    bool same = answer.known >> to & 1;
-    for (int c = 0; c < 3; ++c) {
-      same &= answer.asked.P[c][to] == question.P[c][from];
-      same &= !readsNormal || answer.asked.N[c][to] == question.N[c][from];
-    }
-    if (same)
-      continue;
-    for (int c = 0; c < 3; ++c) {
-      answer.asked.P[c][to] = question.P[c][from];
-      answer.asked.N[c][to] = question.N[c][from];
-    }
-    missing |= 1u << to;
-  }
-  if (!missing)
-    return;
-  if (instance.library->info->real == ANYSL_REAL_DOUBLE)
-    Run<double>(surface, light, answer).shade(missing);
-  else
-    Run<float>(surface, light, answer).shade(missing);
-  answer.known |= missing;
-}
 
 } // namespace
-
-//===-- What is kept --------------------------------------------------------------------------===//
 
 /// The answers for one call that shades, by light.
 struct anysl::host::LightCache {
   std::vector<std::unique_ptr<Answer>> answers;
+  std::vector<std::unique_ptr<SentAnswer>> sent;
 };
 
 namespace {
@@ -329,15 +62,88 @@ struct CacheStack {
 thread_local CacheStack stack;
 
 /// The place for a light's answers: kept, or only for this question.
-Answer &answerOf(const AnyslShadeArgs &args, uint32_t light, std::unique_ptr<Answer> &own) {
+template <class Kept>
+Kept &placeOf(const AnyslShadeArgs &args, uint32_t light,
+              std::vector<std::unique_ptr<Kept>> LightCache::*kept, std::unique_ptr<Kept> &own) {
   auto *cache = static_cast<LightCache *>(args.light_cache);
-  if (cache && cache->answers.size() < args.light_count)
-    cache->answers.resize(args.light_count);
-  std::unique_ptr<Answer> &place = cache ? cache->answers[light] : own;
+  if (cache && (cache->*kept).size() < args.light_count)
+    (cache->*kept).resize(args.light_count);
+  std::unique_ptr<Kept> &place = cache ? (cache->*kept)[light] : own;
   if (!place)
-    place = std::make_unique<Answer>();
+    place = std::make_unique<Kept>();
   return *place;
 }
+
+/// Parameters that are there and can take what is sent get it. What depends on them keeps the
+/// instance's value: defaults are computed when a light is made.
+void SentAnswer::set(const AnyslInstance &light, const AnyslMessage &sent) {
+  what = sent.what;
+  numbers.assign(sent.numbers, sent.numbers + sent.number_count);
+  texts.assign(sent.texts, sent.texts + sent.text_count);
+  cells = light.cells;
+  answer.known = 0;
+  std::vector<const char *> words;
+  for (const std::string &text : texts)
+    words.push_back(text.c_str());
+  AnyslMessage own = sent;
+  own.texts = words.data();
+  for (const ValuePlace &place : placesOf(own)) {
+    const AnyslParamInfo *param = anysl_shader_param(light.shader, std::string(place.name).c_str());
+    if (!param || param->flags & ANYSL_PARAM_FIXED)
+      continue;
+    uint32_t length = elementsOf(own, place);
+    bool isArray = place.shape.isArray;
+    for (uint32_t i = 0; i < length; ++i) {
+      AnyslCell value[16];
+      readElement(own, place, i, value);
+      AnyslQuery variable = {};
+      variable.type = param->type;
+      variable.array_length = param->array_length;
+      if (isArray != (param->array_length > 0) || (isArray && length != param->array_length))
+        break;
+      variable.array_length = 0;
+      if (!anysl_answer(&variable, place.shape.type(), 0, value,
+                        &cells[param->first_cell + i * anysl_type_components(param->type)]))
+        break;
+    }
+  }
+}
+
+/// What a light shader gives at a point, and the parameters that it has there.
+struct PointAnswer {
+  std::unique_ptr<Answer> own;
+  std::unique_ptr<SentAnswer> ownSent;
+  const AnyslCell *cells = nullptr;
+  Answer *answer = nullptr;
+
+  PointAnswer(const AnyslShadeArgs &args, uint32_t light, const AnyslMessage *sent) {
+    const auto &instance = *static_cast<const AnyslInstance *>(args.lights[light].shader);
+    if (!sent) {
+      answer = &placeOf(args, light, &LightCache::answers, own);
+      cells = instance.cells.data();
+      return;
+    }
+    SentAnswer &kept = placeOf(args, light, &LightCache::sent, ownSent);
+    if (kept.cells.empty() || !kept.isOf(*sent))
+      kept.set(instance, *sent);
+    answer = &kept.answer;
+    cells = kept.cells.data();
+  }
+
+  /// Runs the light, if it is not known what it gives; its lane in the answer.
+  uint32_t run(const AnyslShadeArgs &args, uint32_t light, uint32_t point, const double *P,
+               const double *N) {
+    Question question;
+    for (int c = 0; c < 3; ++c) {
+      question.P[c][0] = P[c];
+      question.N[c][0] = N[c];
+    }
+    answerLanes(args, light, cells, point, 1, question, *answer);
+    return point - answer->base;
+  }
+};
+
+uint32_t lowestLane(uint32_t mask) { return uint32_t(__builtin_ctz(mask)); }
 
 bool isShader(const AnyslShadeArgs &args, uint32_t light) {
   return light < args.light_count && args.lights[light].kind == ANYSL_LIGHT_SHADER &&
@@ -361,9 +167,9 @@ void serve(const AnyslShadeArgs &args, uint32_t first, uint32_t width, uint32_t 
         question.P[c][lane] = P[c * width + lane];
         question.N[c][lane] = N[c * width + lane];
       }
-    std::unique_ptr<Answer> own;
-    Answer &answer = answerOf(args, light, own);
-    answerLanes(args, light, first, mask, question, answer);
+    PointAnswer place(args, light, nullptr);
+    Answer &answer = *place.answer;
+    answerLanes(args, light, place.cells, first, mask, question, answer);
     for (uint32_t rest = mask; rest; rest &= rest - 1) {
       uint32_t lane = lowestLane(rest), at = first + lane - answer.base;
       for (uint32_t i = 0; i < resultCount; ++i)
@@ -384,76 +190,82 @@ void serveLightPacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32
   serve(*args, first, width, mask, light, P, N, result);
 }
 
-bool isGeometric(uint32_t type) {
-  return type == ANYSL_POINT || type == ANYSL_VECTOR || type == ANYSL_NORMAL;
-}
-
-/// What is known of a light of a standard kind.
-int standardValue(const AnyslLight &light, std::string_view name, uint32_t type, AnyslCell *value) {
-  uint32_t flag = name == "__nondiffuse"    ? ANYSL_LIGHT_NONDIFFUSE
-                  : name == "__nonspecular" ? ANYSL_LIGHT_NONSPECULAR
-                                            : 0;
-  if (flag && type == ANYSL_FLOAT)
-    value->number = (light.flags & flag) != 0;
-  else if (name == "__category" && type == ANYSL_STRING)
-    value->string = light.category ? light.category : "";
-  else if (name == "from" && isGeometric(type) && light.kind != ANYSL_LIGHT_DISTANT)
-    for (int c = 0; c < 3; ++c)
-      value[c].number = double(light.from[c]);
-  else
-    return 0;
-  return 1;
+void serveLightSent(void *, const AnyslShadeArgs *args, uint32_t point, uint32_t light,
+                    const double *P, const double *N, const AnyslMessage *sent, double *result) {
+  for (uint32_t i = 0; i < resultCount; ++i)
+    result[i] = i < 6 ? 0 : 1;
+  if (!isShader(*args, light))
+    return;
+  guarded([&] {
+    PointAnswer place(*args, light, sent);
+    uint32_t lane = place.run(*args, light, point, P, N);
+    for (uint32_t i = 0; i < resultCount; ++i)
+      result[i] = place.answer->result[i][lane];
+    return ANYSL_OK;
+  });
 }
 
 int serveLightValue(void *, const AnyslShadeArgs *args, uint32_t point, uint32_t light,
-                    const double *P, const double *N, const char *name, uint32_t type,
-                    AnyslCell *value) {
+                    const double *P, const double *N, const AnyslMessage *sent,
+                    const AnyslQuery *query, AnyslCell *value) {
   if (light < args->light_count && args->lights[light].kind != ANYSL_LIGHT_SHADER)
-    return standardValue(args->lights[light], name, type, value);
+    return standardLightValue(args->lights[light], *query, value);
   if (!isShader(*args, light))
     return 0;
   const auto &instance = *static_cast<const AnyslInstance *>(args->lights[light].shader);
-  const AnyslParamInfo *param = anysl_shader_param(instance.shader, name);
-  bool fits = param && !param->array_length &&
-              (param->type == type || (isGeometric(param->type) && isGeometric(type)));
-  if (!fits)
-    return 0;
-  uint32_t components = anysl_type_components(type);
-  std::copy_n(&instance.cells[param->first_cell], components, value);
-  if (!isOutput(*param))
-    return 1;
+  const AnyslParamInfo *param = anysl_shader_param(instance.shader, query->name);
+  if (!param)
+    return anysl_instance_answer(&instance, nullptr, 0, query, value); // its name
+  int known = 0;
   guarded([&] {
-    Question question;
-    for (int c = 0; c < 3; ++c) {
-      question.P[c][0] = P[c];
-      question.N[c][0] = N[c];
-    }
-    std::unique_ptr<Answer> own;
-    Answer &answer = answerOf(*args, light, own);
-    answerLanes(*args, light, point, 1, question, answer);
-    uint32_t lane = point - answer.base;
-    const AnyslLibraryInfo &info = *instance.library->info;
-    if (type == ANYSL_STRING)
-      value->string = outputPlace<const char *>(answer, *param)[lane];
-    for (uint32_t c = 0; type != ANYSL_STRING && c < components; ++c) {
-      size_t at = info.layout == ANYSL_LAYOUT_SOA ? c * laneCount + lane : lane * components + c;
-      value[c].number = info.real == ANYSL_REAL_DOUBLE ? outputPlace<double>(answer, *param)[at]
-                                                       : outputPlace<float>(answer, *param)[at];
-    }
+    PointAnswer place(*args, light, sent);
+    std::vector<AnyslCell> cells(place.cells + param->first_cell,
+                                 place.cells + param->first_cell + cellsOf(*param));
+    // Only for a question that it can answer does a light run.
+    known = anysl_answer(query, param->type, param->array_length, cells.data(), value);
+    if (!known || !isOutput(*param))
+      return ANYSL_OK;
+    uint32_t lane = place.run(*args, light, point, P, N);
+    readOutput(instance, *place.answer, *param, lane, cells.data());
+    anysl_answer(query, param->type, param->array_length, cells.data(), value);
     return ANYSL_OK;
   });
-  return 1;
+  return known;
 }
 
 } // namespace
 
+int anysl::host::standardLightValue(const AnyslLight &light, const AnyslQuery &query,
+                                    AnyslCell *value) {
+  std::string_view name = query.name;
+  uint32_t flag = name == "__nondiffuse"    ? ANYSL_LIGHT_NONDIFFUSE
+                  : name == "__nonspecular" ? ANYSL_LIGHT_NONSPECULAR
+                                            : 0;
+  AnyslCell cells[3] = {};
+  uint32_t type = ANYSL_FLOAT;
+  if (flag) {
+    cells[0].number = (light.flags & flag) != 0;
+  } else if (name == "__category") {
+    type = ANYSL_STRING;
+    cells[0].string = light.category ? light.category : "";
+  } else if (name == "from" && light.kind != ANYSL_LIGHT_DISTANT) {
+    type = ANYSL_POINT;
+    for (int c = 0; c < 3; ++c)
+      cells[c].number = double(light.from[c]);
+  } else {
+    return 0;
+  }
+  return anysl_answer(&query, type, 0, cells, value);
+}
+
 void anysl::host::completeLightServices(AnyslServices &services) {
   // All or none: they answer for the same lights.
-  if (services.light || services.light_packet || services.light_value)
+  if (services.light || services.light_packet || services.light_value || services.light_sent)
     return;
   services.light = serveLight;
   services.light_packet = serveLightPacket;
   services.light_value = serveLightValue;
+  services.light_sent = serveLightSent;
 }
 
 extern "C" {
@@ -467,6 +279,7 @@ void anysl_lights_begin(AnyslShadeArgs *args) {
     for (std::unique_ptr<Answer> &answer : cache.answers)
       if (answer)
         answer->known = 0;
+    cache.sent.clear(); // the lights may be others than before
     args->light_cache = &cache;
     return ANYSL_OK;
   });

@@ -32,10 +32,24 @@ void readElement(const LoadedLibrary &library, const AnyslShadeArgs &args, uint3
     size_t at = isSoA ? (element * components + c) * args.data_stride + point
                       : (element * args.data_stride + point) * components + c;
     const void *data = args.param_data[index];
+    if (type == ANYSL_STRING) {
+      value->string = static_cast<const char *const *>(data)[at];
+      return;
+    }
     value[c].number = library.info->real == ANYSL_REAL_DOUBLE
                           ? static_cast<const double *>(data)[at]
                           : static_cast<const float *>(data)[at];
   }
+}
+
+/// How long an array is: a parameter `a` of any length has another beside it, `a.length`.
+uint32_t elementsOf(const AnyslInstance &instance, const AnyslParamInfo &param) {
+  const AnyslParamInfo *length =
+      anysl_shader_param(instance.shader, (std::string(param.name) + ".length").c_str());
+  if (!length || length->type != ANYSL_FLOAT)
+    return param.array_length;
+  double count = instance.cells[length->first_cell].number;
+  return count > 0 ? uint32_t(std::min(count, double(param.array_length))) : 0;
 }
 
 } // namespace
@@ -44,7 +58,10 @@ extern "C" {
 
 int anysl_answer(const AnyslQuery *query, uint32_t type, uint32_t array_length,
                  const AnyslCell *cells, AnyslCell *value) {
-  if (query->array_length != array_length || !converts(type, query->type))
+  bool fits = query->array_length == ANYSL_ANY_LENGTH
+                  ? array_length && query->element < array_length
+                  : query->array_length == array_length;
+  if (!fits || !converts(type, query->type))
     return 0;
   uint32_t have = anysl_type_components(type), want = anysl_type_components(query->type);
   cells += array_length ? size_t(query->element) * have : 0;
@@ -68,13 +85,16 @@ int anysl_instance_answer(const AnyslInstance *instance, const AnyslShadeArgs *a
   if (!param)
     return 0;
   auto index = uint32_t(param - shader.params);
+  if (query->array_length == ANYSL_ANY_LENGTH && query->element >= elementsOf(*instance, *param))
+    return 0;
   bool isInArray = args && args->param_data && args->param_data[index];
   if (!isInArray)
     return anysl_answer(query, param->type, param->array_length,
                         &instance->cells[param->first_cell], value);
   // Taken apart, so that one element of an array need not wait for all.
   AnyslQuery single = *query;
-  if (query->array_length != param->array_length)
+  if (query->array_length != param->array_length &&
+      (query->array_length != ANYSL_ANY_LENGTH || !param->array_length))
     return 0;
   single.array_length = single.element = 0;
   AnyslCell found[16];

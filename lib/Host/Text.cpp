@@ -154,6 +154,17 @@ void printValue(void *renderer, const AnyslShadeArgs *args, uint32_t point, cons
   }
 }
 
+void warnOnce(void *, const AnyslShadeArgs *, const char *text) noexcept {
+  static std::mutex mutex;
+  static auto &said = *new std::unordered_set<std::string>;
+  try {
+    std::lock_guard<std::mutex> lock(mutex);
+    if (said.emplace(text).second)
+      std::fprintf(stderr, "%s\n", text);
+  } catch (const std::bad_alloc &) {
+  }
+}
+
 int match(void *, const char *pattern, const char *text) noexcept {
   try {
     return matches(pattern, text);
@@ -225,6 +236,8 @@ void completeTextServices(AnyslServices &services) {
     services.match = match;
   if (!services.print)
     services.print = printText;
+  if (!services.warn)
+    services.warn = warnOnce;
 }
 
 } // namespace anysl::host

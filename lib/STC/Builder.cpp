@@ -27,6 +27,10 @@ namespace {
     return slot && sameRepresentation(slot->type, param.type) &&
            slot->arrayLength == param.arrayLength;
   }
+  case ParamKind::Array: {
+    auto slot = slotInfo(operand);
+    return slot && slot->type == param.type;
+  }
   case ParamKind::Ctx:
     return operand == context;
   case ParamKind::Type:

@@ -26,6 +26,8 @@ namespace table {
   OpParam { ParamKind::Out, stc::Type::T##Ty }
 #define InOut(T)                                                                                   \
   OpParam { ParamKind::InOut, stc::Type::T##Ty }
+#define Array(T)                                                                                   \
+  OpParam { ParamKind::Array, stc::Type::T##Ty }
 constexpr OpParam Ctx{ParamKind::Ctx}, Type{ParamKind::Type}, Slot{ParamKind::Slot},
     Bool{ParamKind::Bool}, Index{ParamKind::Index}, Length{ParamKind::Length}, Id{ParamKind::Id},
     Number{ParamKind::Number}, Text{ParamKind::Text};
@@ -38,6 +40,7 @@ constexpr OpParam Ctx{ParamKind::Ctx}, Type{ParamKind::Type}, Slot{ParamKind::Sl
 #undef In
 #undef Out
 #undef InOut
+#undef Array
 } // namespace table
 
 const OpInfo ops[] = {
@@ -154,7 +157,7 @@ StringRef nameOf(ResultKind kind) {
 }
 
 StringRef nameOf(ParamKind kind) {
-  static constexpr StringLiteral names[] = {"In",   "Out",   "InOut",  "Ctx", "Type",   "Slot",
+  static constexpr StringLiteral names[] = {"In",   "Out",   "InOut",  "Array", "Ctx", "Type",   "Slot",
                                             "Bool", "Index", "Length", "Id",  "Number", "Text"};
   return names[unsigned(kind)];
 }

@@ -36,6 +36,7 @@ enum class ParamKind : uint8_t {
   In,
   Out,
   InOut,
+  Array,
   Ctx,
   Type,
   Slot,
@@ -49,12 +50,12 @@ enum class ParamKind : uint8_t {
 
 struct OpParam {
   ParamKind kind;
-  /// Only for In, Out and InOut.
+  /// Only for In, Out, InOut and Array.
   Type type = Type::floatTy;
-  /// Only for arrays handed to a module's own functions; no operator takes any.
+  /// Only for arrays handed to a module's own functions; operators take `Array` and a length.
   unsigned arrayLength = 0;
 
-  bool isValue() const { return kind <= ParamKind::InOut; }
+  bool isValue() const { return kind <= ParamKind::Array; }
 };
 
 enum class Purity : uint8_t { Structural, Pure, Reads, Writes, Stateful };

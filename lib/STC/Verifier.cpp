@@ -80,6 +80,7 @@ private:
   void checkOperand(const CallInst &call, StringRef callee, const OpParam &param,
                     const Value *operand);
   void checkStructural(const CallInst &call, const OpInfo &op);
+  void checkArrays(const CallInst &call, const OpInfo &op);
   void checkIds(const CallInst &call, const OpInfo &op);
   void checkParameterUse(const CallInst &call, const OpInfo &op, IdKind kind, unsigned number);
 
@@ -251,6 +252,7 @@ void ModuleVerifier::checkCall(const CallInst &call) {
   if (!op || problems.size() != before)
     return;
   checkStructural(call, *op);
+  checkArrays(call, *op);
   checkIds(call, *op);
 }
 
@@ -278,6 +280,17 @@ void ModuleVerifier::checkOperand(const CallInst &call, StringRef callee, const 
         signature[argument->getArgNo()].kind == ParamKind::In)
       return refuse("is changed, but the function may only read it");
     return;
+  }
+  case ParamKind::Array: {
+    auto slot = slotInfo(operand);
+    if (!slot)
+      return refuse("is no variable");
+    if (slot->type != param.type)
+      return refuse("is a " + info(slot->type).name + ", not a " + info(param.type).name);
+    auto *argument = dyn_cast<Argument>(operand);
+    if (argument && signature[argument->getArgNo()].kind == ParamKind::In)
+      return refuse("is changed, but the function may only read it");
+    return; // checkArrays() looks at the length behind it.
   }
   case ParamKind::Ctx: {
     auto *argument = dyn_cast<Argument>(operand);
@@ -331,6 +344,17 @@ void ModuleVerifier::checkStructural(const CallInst &call, const OpInfo &op) {
   }
   default:
     return;
+  }
+}
+
+/// An operator is told how long an array is by the operand behind it. Of length 0 is any variable.
+void ModuleVerifier::checkArrays(const CallInst &call, const OpInfo &op) {
+  for (unsigned i = 0; i < op.params.size(); ++i) {
+    if (op.params[i].kind != ParamKind::Array)
+      continue;
+    const APInt &length = cast<ConstantInt>(call.getArgOperand(i + 1))->getValue();
+    if (!length.isZero() && length != slotInfo(call.getArgOperand(i))->arrayLength)
+      problem(call, "an operand of '" + op.symbol() + "' is an array of another length");
   }
 }
 

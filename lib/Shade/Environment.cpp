@@ -216,10 +216,11 @@ void traceHit(void *renderer, const AnyslShadeArgs *args, uint32_t first, uint32
 }
 
 int callMethod(void *renderer, const AnyslShadeArgs *args, uint32_t point, const char *shader,
-               const char *method, double values[32]) {
+               AnyslMessage *message) {
   const auto &coshaders = static_cast<const Environment *>(renderer)->coshaders;
   auto found = coshaders.find(shader);
-  return found != coshaders.end() && anysl_method_call(found->second, args, point, method, values);
+  return found != coshaders.end() ? anysl_method_call(found->second, args, point, message)
+                                  : anysl_light_call(args, point, shader, message);
 }
 
 /// A shader says with its parameter __category what it belongs to.
@@ -252,9 +253,13 @@ int query(void *renderer, const AnyslShadeArgs *args, uint32_t, const AnyslQuery
   }
   const KnownValue &known = found->second;
   size_t components = anysl_type_components(query->type);
-  size_t elements = query->array_length ? query->array_length : 1;
+  size_t have =
+      query->type == ANYSL_STRING ? known.texts.size() : known.numbers.size() / components;
+  size_t elements = query->array_length == ANYSL_ANY_LENGTH ? have
+                    : query->array_length                   ? query->array_length
+                                                            : 1;
   if (query->type == ANYSL_STRING) {
-    if (known.texts.size() != elements)
+    if (known.texts.size() != elements || query->element >= elements)
       return 0;
     value->string = known.texts[query->element].c_str();
     return 1;
@@ -264,7 +269,7 @@ int query(void *renderer, const AnyslShadeArgs *args, uint32_t, const AnyslQuery
     AnyslCell cell = {known.numbers[0]};
     return anysl_answer(query, ANYSL_FLOAT, 0, &cell, value);
   }
-  if (known.numbers.size() != components * elements)
+  if (known.numbers.size() != components * elements || query->element >= elements)
     return 0;
   for (size_t c = 0; c < components; ++c)
     value[c].number = known.numbers[query->element * components + c];

@@ -28,7 +28,7 @@ struct StandardText {
   uint32_t number = 0; ///< AnyslLightKind; 0: ambient
   AnyslStandardLight values;
   std::vector<double> direction;
-  std::string category;
+  std::string category, handle;
   uint32_t flags = 0;
 };
 
@@ -51,6 +51,10 @@ void readKey(StandardText &light, const std::string &part, bool standardNames) {
   auto [key, value] = parseAssignment(part, "--light");
   if (key == "category" || key == "__category") {
     light.category = value;
+    return;
+  }
+  if (key == "handle") {
+    light.handle = value;
     return;
   }
   std::vector<double> numbers = parseNumbers(value, "--light");
@@ -161,6 +165,13 @@ void Lights::addStandard(const std::vector<std::string> &parts) {
   light.flags = text.flags;
   if (!text.category.empty())
     light.category = categories.emplace_back(text.category).c_str();
+  addLight(light, text.handle);
+}
+
+/// A light without a name of its own is called "light" and its number.
+void Lights::addLight(AnyslLight light, const std::string &handle) {
+  handles.push_back(handle.empty() ? "light" + std::to_string(lights.size()) : handle);
+  light.handle = handles.back().c_str();
   lights.push_back(light);
 }
 
@@ -169,6 +180,7 @@ void Lights::addShader(const std::vector<std::string> &parts, const AnyslService
   Environment &environment = environments.emplace_back(world);
   std::vector<ParamText> params;
   std::optional<std::string> shader;
+  std::string handle;
   uint32_t flags = 0;
   for (size_t i = 1; i < parts.size(); ++i) {
     if (uint32_t flag = flagNamed(parts[i])) {
@@ -177,7 +189,9 @@ void Lights::addShader(const std::vector<std::string> &parts, const AnyslService
       shader = parts[i];
     } else {
       auto [name, value] = parseAssignment(parts[i], "--light");
-      if (name == "space")
+      if (name == "handle")
+        handle = value;
+      else if (name == "space")
         environment.toCurrent["shader"] = parseMatrix(value, "space of --light");
       else
         params.push_back({name, value});
@@ -191,7 +205,7 @@ void Lights::addShader(const std::vector<std::string> &parts, const AnyslService
   AnyslLight light;
   check(anysl_light_from_instance(instance.get(), &light));
   light.flags |= flags;
-  lights.push_back(light);
+  addLight(light, handle);
 }
 
 } // namespace anysl::shade

@@ -33,10 +33,11 @@ private:
   void addShader(const std::vector<std::string> &parts, const AnyslServices &services,
                  const Environment &world);
   void add(const std::string &description, const AnyslServices &services, const Environment &world);
+  void addLight(AnyslLight light, const std::string &handle);
 
   std::vector<AnyslLight> lights;
   float ambient[3] = {0, 0, 0};
-  std::list<std::string> categories;
+  std::list<std::string> categories, handles;
   std::list<Environment> environments; ///< of each light shader: with a space of its own
   std::vector<LibraryHandle> libraries;
   std::vector<InstanceHandle> instances;

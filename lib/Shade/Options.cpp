@@ -225,9 +225,10 @@ const char *const worldHelp = R"(The world around it:
       spot      color, intensity, from (0,0,1), direction or to, cone (30), delta (5), beam (2);
                 cone and delta in degrees
       and the flags shadow, nondiffuse, nonspecular; or, with the parameters of the standard's
-      shaders of these names, ambientlight, distantlight, pointlight, spotlight; category=NAME
+      shaders of these names, ambientlight, distantlight, pointlight, spotlight; category=NAME;
+      handle=NAME, what getlights() calls it ("light0", "light1" ... in order)
   --light FILE.so[:SHADER][:PARAM=v[,v...]]...   add a light that a light shader computes; also the
-      flag shadow, and space=m,... (16 numbers), the matrix from its own space to the current one
+      flag shadow, handle=NAME, and space=m,... (16 numbers), the matrix from its own space to the current one
   --texture-path DIR[:DIR...]
                            where textures are looked for, after the current folder
   --coshader HANDLE=FILE.so[:NAME=v[,v...]]...

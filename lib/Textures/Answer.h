@@ -34,8 +34,11 @@ inline int answer(Textures &textures, void *renderer, const AnyslShadeArgs *args
     return anysl_answer(&query, ANYSL_FLOAT, 0, &cell, value);
   }
   size_t components = anysl_type_components(query.type);
-  if (query.type == ANYSL_STRING ||
-      numbers.size() != components * (query.array_length ? query.array_length : 1))
+  size_t elements = query.array_length == ANYSL_ANY_LENGTH ? numbers.size() / components
+                    : query.array_length                   ? query.array_length
+                                                           : 1;
+  if (query.type == ANYSL_STRING || numbers.size() != components * elements ||
+      query.element >= elements)
     return 0;
   for (size_t c = 0; c < components; ++c)
     value[c].number = numbers[query.element * components + c];

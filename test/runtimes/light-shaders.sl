@@ -45,8 +45,8 @@ surface asking(output varying float wrong = 0, lights = 0; output varying color 
   illuminance ("key", P, "lightcache", "refresh", "light:way", none)
     found = lightsource("seen", seen) + 10 * lightsource("way", way) + 100 * lightsource("intensity", c) +
             1000 * lightsource("__category", category) + 10000 * lightsource("missing", n);
-  wrong += found != 1011 || abs(seen - x - 1) > 1e-6 || !same(way, vector (x, 0, -2)) || !same(none, way) ||
-                   category != "warm,key" ? 100 : 0;
+  wrong += found != 1111 || !same(c, color(4)) || abs(seen - x - 1) > 1e-6 || !same(way, vector (x, 0, -2)) || !same(none, way) ||
+                   category != "warm,key" ? 100 : 0;   // a float goes into a color
 
   n = ask("cone", N, l, c, o);
   wrong += n != (abs(x - 0.5) < tan(0.4) ? 1 : 0) ? 1000 : 0;

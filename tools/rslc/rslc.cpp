@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "frontends/rsl/Frontend.h"
+#include "lib/STC/Shader.h"
 #include "lib/STC/Writer.h"
 #include "lib/Support/Output.h"
 #include "lib/Support/Tool.h"
@@ -48,6 +49,10 @@ cl::opt<bool> debugInfo("g", cl::desc("Give native code line tables, for debugge
                         cl::cat(category));
 cl::opt<bool> isLibrary("library", cl::desc("The functions of the file define operators"),
                         cl::cat(category));
+cl::opt<unsigned> arrayCapacity("array-capacity",
+                                cl::desc("Room in arrays that grow, where no constant says how "
+                                         "much they need (default: 64)"),
+                                cl::value_desc("N"), cl::init(64), cl::cat(category));
 cl::opt<bool> verifyMode("verify",
                          cl::desc("Compare messages with the file's expected-error and "
                                   "expected-warning comments"),
@@ -144,6 +149,8 @@ int main(int argc, char **argv) {
 
   if (input.empty())
     diags.error("no input file; see rslc --help");
+  if (arrayCapacity < 1 || arrayCapacity > stc::maxArrayLength)
+    diags.error("--array-capacity must be from 1 to " + Twine(stc::maxArrayLength));
   if (diags.hasErrors())
     return userError;
 
@@ -152,6 +159,7 @@ int main(int argc, char **argv) {
   options.preprocessor.defines = defines;
   options.isLibrary = isLibrary;
   options.debugInfo = debugInfo;
+  options.arrayCapacity = int(arrayCapacity);
   options.syntaxOnly = syntaxOnly;
   LLVMContext context;
   rsl::FrontendResult result = rsl::compile(input, options, diags, context);

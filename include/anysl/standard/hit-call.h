@@ -30,14 +30,16 @@
 namespace anysl {
 
 /// Serves the points of `mask`, of `width` from `point` on, by one call of the renderer.
-inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask) {
+inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask,
+                       AnyslMessage *values = nullptr) {
   AnyslHits hits = {sizeof(AnyslHits),
                     shades,
                     distance,
                     {nx, ny, nz},
                     {gx, gy, gz},
                     {red, green, blue},
-                    {opaqueRed, opaqueGreen, opaqueBlue}};
+                    {opaqueRed, opaqueGreen, opaqueBlue},
+                    values};
   for (uint32_t i = 0; i < width; ++i) {
     distance[i] = -1;
     for (uint32_t c = 0; c < 3; ++c)

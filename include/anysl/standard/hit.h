@@ -17,6 +17,7 @@
 #define ANYSL_STANDARD_HIT_H
 
 #include <anysl/standard/hit-call.h>
+#include <anysl/standard/message.h>
 
 namespace anysl {
 
@@ -61,6 +62,45 @@ bool anysl_trace_shade(anysl_context *context, const anysl_point *P, const anysl
                        const anysl_float *reach, anysl_float *distance, anysl_normal *N,
                        anysl_normal *Ng, anysl_color *color, anysl_color *opacity) {
   return anysl::findHit(context, 1, *P, *R, *reach, *distance, *N, *Ng, *color, *opacity);
+}
+
+namespace anysl {
+
+/// The service `trace_hit` for one point, with questions about the surface; what is found lies in
+/// `result`: the distance, N, Ng, the colour and the opacity.
+[[gnu::noinline]] inline void askForValues(const AnyslShadeArgs *args, uint32_t point, float px,
+                                           float py, float pz, float rx, float ry, float rz,
+                                           float reach, const char *what, anysl_float *numbers,
+                                           uint32_t numberCount, anysl_string *texts,
+                                           uint32_t textCount, float *result) {
+  withMessage(what, numbers, numberCount, texts, textCount, [&](AnyslMessage &message) {
+    float *r = result;
+    askForHits(args, point, 1, &px, &py, &pz, &rx, &ry, &rz, &reach, r, r + 1, r + 2, r + 3, r + 4,
+               r + 5, r + 6, r + 7, r + 8, r + 9, r + 10, r + 11, r + 12, 1, 1, &message);
+    takeBack(message, numbers, texts);
+  });
+}
+
+} // namespace anysl
+
+bool anysl_trace_values(anysl_context *context, const anysl_point *P, const anysl_vector *R,
+                        const anysl_float *reach, const anysl_string *what, anysl_float *numbers,
+                        uint32_t numberCount, anysl_string *texts, uint32_t textCount,
+                        anysl_float *distance, anysl_normal *N, anysl_normal *Ng,
+                        anysl_color *color, anysl_color *opacity) {
+  using namespace anysl;
+  float found[13];
+  askForValues(context->args, context->point, float(numberOf(P->x)), float(numberOf(P->y)),
+               float(numberOf(P->z)), float(numberOf(R->x)), float(numberOf(R->y)),
+               float(numberOf(R->z)), float(numberOf(*reach)), *what, numbers, numberCount, texts,
+               textCount, found);
+  bool isHit = found[0] >= 0;
+  *distance = select(isHit, anysl_float(found[0]), anysl_float(nothingMet));
+  *N = {anysl_float(found[1]), anysl_float(found[2]), anysl_float(found[3])};
+  *Ng = {anysl_float(found[4]), anysl_float(found[5]), anysl_float(found[6])};
+  *color = {anysl_float(found[7]), anysl_float(found[8]), anysl_float(found[9])};
+  *opacity = {anysl_float(found[10]), anysl_float(found[11]), anysl_float(found[12])};
+  return isHit;
 }
 
 #endif // ANYSL_STANDARD_HIT_H

@@ -19,7 +19,7 @@
 #define ANYSL_STANDARD_LIGHTS_H
 
 #include <anysl/domain.h>
-#include <anysl/standard/context.h>
+#include <anysl/standard/message.h>
 
 namespace anysl {
 
@@ -31,24 +31,21 @@ void askLight(anysl_context *context, int32_t index, const anysl_point &P, const
 
 //===-- Questions to light shaders ------------------------------------------------------------===//
 
-/// The service `light_value`. It stays a call and has no wide form: such questions are rare, and
-/// most are about what is the same for every point.
+/// The service `light_value`, with what is sent. It stays a call and has no wide form: such
+/// questions are rare, and most are about what is the same for every point.
 [[gnu::noinline]] bool askLightValue(const AnyslShadeArgs *args, uint32_t point, uint32_t light,
                                      double px, double py, double pz, double nx, double ny,
-                                     double nz, const char *name, uint32_t type, AnyslCell *value);
+                                     double nz, const char *sent, const anysl_float *numbers,
+                                     uint32_t numberCount, const anysl_string *texts,
+                                     uint32_t textCount, const char *name, uint32_t type,
+                                     uint32_t arrayLength, uint32_t element, AnyslCell *value);
 
-/// Asks for a parameter of a light; \p take gets the cells that hold it.
-template <typename Take>
-inline bool lightValue(anysl_context *context, int32_t index, const anysl_point *P,
-                       const anysl_normal *N, const char *name, uint32_t type, AnyslCell *cells,
-                       Take &&take) {
-  if (!askLightValue(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
-                     double(numberOf(P->y)), double(numberOf(P->z)), double(numberOf(N->x)),
-                     double(numberOf(N->y)), double(numberOf(N->z)), name, type, cells))
-    return false;
-  take();
-  return true;
-}
+/// The service `light_sent`, likewise.
+[[gnu::noinline]] void askLightSent(const AnyslShadeArgs *args, uint32_t point, uint32_t light,
+                                    double px, double py, double pz, double nx, double ny,
+                                    double nz, const char *sent, const anysl_float *numbers,
+                                    uint32_t numberCount, const anysl_string *texts,
+                                    uint32_t textCount, double *result);
 
 /// Whether a light shader's parameter is there and not 0. The cell is a slot of this function's
 /// own, so that shaders, which all ask for flags in diffuse() and specular(), need none.
@@ -137,23 +134,13 @@ bool anysl_light_in_category(anysl_context *context, int32_t index, const anysl_
   return anysl::haveCommonName(categories, text + isNegative) != isNegative;
 }
 
-bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point *P,
-                        const anysl_normal *N, anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
-  using namespace anysl;
-  const AnyslLight &light = context->args->lights[index];
-  anysl_float zero(0), one(1);
-  *Ol = {one, one, one};
-  if (light.kind == ANYSL_LIGHT_SHADER) {
-    *L = {zero, zero, zero};
-    *Cl = {zero, zero, zero};
-    if (light.flags & ANYSL_LIGHT_AMBIENT)
-      return false;
-    askLight(context, index, *P, *N, *L, *Cl, *Ol);
-    *Cl = *Cl * colorFrom(light.color);
-    return int(numberOf(L->x) != 0) | int(numberOf(L->y) != 0) | int(numberOf(L->z) != 0);
-  }
+namespace anysl {
+
+/// A light of a standard kind.
+inline bool sampleStandard(const AnyslLight &light, const anysl_point &P, anysl_vector &L,
+                           anysl_color &Cl) {
   anysl_vector direction = vectorFrom(light.direction);
-  anysl_vector toLight = vectorFrom(light.from) - *P;
+  anysl_vector toLight = vectorFrom(light.from) - P;
   anysl_float strength(1);
   bool reaches = true;
   switch (light.kind) {
@@ -174,11 +161,62 @@ bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point
   default:
     reaches = false;
   }
+  anysl_float zero(0);
   anysl_color color = colorFrom(light.color) * strength;
-  *L = toLight;
-  *Cl = {select(reaches, color.r, zero), select(reaches, color.g, zero),
-         select(reaches, color.b, zero)};
+  L = toLight;
+  Cl = {select(reaches, color.r, zero), select(reaches, color.g, zero),
+        select(reaches, color.b, zero)};
   return reaches;
+}
+
+/// Whether light arrives along what a light shader made of L.
+inline bool arrives(const anysl_vector &L) {
+  return int(numberOf(L.x) != 0) | int(numberOf(L.y) != 0) | int(numberOf(L.z) != 0);
+}
+
+} // namespace anysl
+
+bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point *P,
+                        const anysl_normal *N, anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
+  using namespace anysl;
+  const AnyslLight &light = context->args->lights[index];
+  anysl_float zero(0), one(1);
+  *Ol = {one, one, one};
+  if (light.kind != ANYSL_LIGHT_SHADER)
+    return sampleStandard(light, *P, *L, *Cl);
+  *L = {zero, zero, zero};
+  *Cl = {zero, zero, zero};
+  if (light.flags & ANYSL_LIGHT_AMBIENT)
+    return false;
+  askLight(context, index, *P, *N, *L, *Cl, *Ol);
+  *Cl = *Cl * colorFrom(light.color);
+  return arrives(*L);
+}
+
+bool anysl_light_sample_sent(anysl_context *context, int32_t index, const anysl_point *P,
+                             const anysl_normal *N, const anysl_string *sent, anysl_float *numbers,
+                             uint32_t numberCount, anysl_string *texts, uint32_t textCount,
+                             anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
+  using namespace anysl;
+  const AnyslLight &light = context->args->lights[index];
+  if (light.kind != ANYSL_LIGHT_SHADER || light.flags & ANYSL_LIGHT_AMBIENT)
+    return anysl_light_sample(context, index, P, N, L, Cl, Ol);
+  double result[9];
+  askLightSent(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
+               double(numberOf(P->y)), double(numberOf(P->z)), double(numberOf(N->x)),
+               double(numberOf(N->y)), double(numberOf(N->z)), *sent, numbers, numberCount, texts,
+               textCount, result);
+  *L = {anysl_float(result[0]), anysl_float(result[1]), anysl_float(result[2])};
+  *Cl = {anysl_float(result[3]), anysl_float(result[4]), anysl_float(result[5])};
+  *Ol = {anysl_float(result[6]), anysl_float(result[7]), anysl_float(result[8])};
+  *Cl = *Cl * colorFrom(light.color);
+  return arrives(*L);
+}
+
+bool anysl_light_handle(anysl_string *result, anysl_context *context, int32_t index) {
+  const char *handle = context->args->lights[index].handle;
+  *result = handle ? handle : "";
+  return **result != 0;
 }
 
 /// An operator of its own, so that only those points send a ray which the light reaches and which
@@ -203,59 +241,106 @@ void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point
 
 //===-- Parameters of light shaders -----------------------------------------------------------===//
 
-bool anysl_light_float(anysl_context *context, int32_t index, const anysl_point *P,
-                       const anysl_normal *N, const anysl_string *name, anysl_float *value) {
-  AnyslCell cell;
-  return anysl::lightValue(context, index, P, N, *name, ANYSL_FLOAT, &cell,
-                           [&] { *value = anysl_float(cell.number); });
+/// What the five operators take before the variable.
+#define ANYSL_LIGHT_VALUE_PARAMETERS                                                               \
+  anysl_context *context, int32_t index, const anysl_point *P, const anysl_normal *N,              \
+      const anysl_string *sent, anysl_float *numbers, uint32_t numberCount, anysl_string *texts,   \
+      uint32_t textCount, const anysl_string *name, uint32_t arrayLength, uint32_t element
+#define ANYSL_LIGHT_VALUE_ARGUMENTS                                                                \
+  context, index, P, N, sent, numbers, numberCount, texts, textCount, name, arrayLength, element
+
+namespace anysl {
+
+inline bool lightValue(ANYSL_LIGHT_VALUE_PARAMETERS, uint32_t type, AnyslCell *cells) {
+  return askLightValue(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
+                       double(numberOf(P->y)), double(numberOf(P->z)), double(numberOf(N->x)),
+                       double(numberOf(N->y)), double(numberOf(N->z)), *sent, numbers, numberCount,
+                       texts, textCount, *name, type, arrayLength, element, cells);
 }
 
-bool anysl_light_color(anysl_context *context, int32_t index, const anysl_point *P,
-                       const anysl_normal *N, const anysl_string *name, anysl_color *value) {
+} // namespace anysl
+
+bool anysl_light_float(ANYSL_LIGHT_VALUE_PARAMETERS, anysl_float *value) {
+  AnyslCell cells[1];
+  bool known = anysl::lightValue(ANYSL_LIGHT_VALUE_ARGUMENTS, ANYSL_FLOAT, cells);
+  if (known)
+    *value = anysl_float(cells[0].number);
+  return known;
+}
+
+bool anysl_light_color(ANYSL_LIGHT_VALUE_PARAMETERS, anysl_color *value) {
   AnyslCell cells[3];
-  return anysl::lightValue(context, index, P, N, *name, ANYSL_COLOR, cells, [&] {
+  bool known = anysl::lightValue(ANYSL_LIGHT_VALUE_ARGUMENTS, ANYSL_COLOR, cells);
+  if (known)
     *value = {anysl_float(cells[0].number), anysl_float(cells[1].number),
               anysl_float(cells[2].number)};
-  });
+  return known;
 }
 
-bool anysl_light_vector(anysl_context *context, int32_t index, const anysl_point *P,
-                        const anysl_normal *N, const anysl_string *name, anysl_vector *value) {
+bool anysl_light_vector(ANYSL_LIGHT_VALUE_PARAMETERS, anysl_vector *value) {
   AnyslCell cells[3];
-  return anysl::lightValue(context, index, P, N, *name, ANYSL_VECTOR, cells, [&] {
+  bool known = anysl::lightValue(ANYSL_LIGHT_VALUE_ARGUMENTS, ANYSL_VECTOR, cells);
+  if (known)
     *value = {anysl_float(cells[0].number), anysl_float(cells[1].number),
               anysl_float(cells[2].number)};
-  });
+  return known;
 }
 
-bool anysl_light_matrix(anysl_context *context, int32_t index, const anysl_point *P,
-                        const anysl_normal *N, const anysl_string *name, anysl_matrix *value) {
+bool anysl_light_matrix(ANYSL_LIGHT_VALUE_PARAMETERS, anysl_matrix *value) {
   AnyslCell cells[16];
-  return anysl::lightValue(context, index, P, N, *name, ANYSL_MATRIX, cells, [&] {
+  bool known = anysl::lightValue(ANYSL_LIGHT_VALUE_ARGUMENTS, ANYSL_MATRIX, cells);
+  if (known)
     anysl::repeat<16>([&](auto k) { value->m[k / 4][k % 4] = anysl_float(cells[int(k)].number); });
-  });
+  return known;
 }
 
-bool anysl_light_string(anysl_context *context, int32_t index, const anysl_point *P,
-                        const anysl_normal *N, const anysl_string *name, anysl_string *value) {
-  AnyslCell cell;
-  return anysl::lightValue(context, index, P, N, *name, ANYSL_STRING, &cell,
-                           [&] { *value = cell.string; });
+bool anysl_light_string(ANYSL_LIGHT_VALUE_PARAMETERS, anysl_string *value) {
+  AnyslCell cells[1];
+  bool known = anysl::lightValue(ANYSL_LIGHT_VALUE_ARGUMENTS, ANYSL_STRING, cells);
+  if (known)
+    *value = cells[0].string;
+  return known;
 }
+
+#undef ANYSL_LIGHT_VALUE_PARAMETERS
+#undef ANYSL_LIGHT_VALUE_ARGUMENTS
 
 bool anysl::askLightValue(const AnyslShadeArgs *args, uint32_t point, uint32_t light, double px,
-                          double py, double pz, double nx, double ny, double nz, const char *name,
-                          uint32_t type, AnyslCell *value) {
+                          double py, double pz, double nx, double ny, double nz, const char *sent,
+                          const anysl_float *numbers, uint32_t numberCount,
+                          const anysl_string *texts, uint32_t textCount, const char *name,
+                          uint32_t type, uint32_t arrayLength, uint32_t element, AnyslCell *value) {
+  auto ask = args->services->light_value;
+  if (!ask || !name)
+    return false;
   double P[3] = {px, py, pz}, N[3] = {nx, ny, nz};
-  const AnyslServices *services = args->services;
-  return services->light_value && name &&
-         services->light_value(args->renderer, args, point, light, P, N, name, type, value);
+  AnyslQuery query = {ANYSL_QUERY_lightsource, type, arrayLength, element, light, 0, name, ""};
+  return withMessage(sent, numbers, numberCount, texts, textCount, [&](AnyslMessage &message) {
+    const AnyslMessage *given = *message.what ? &message : nullptr;
+    return ask(args->renderer, args, point, light, P, N, given, &query, value) != 0;
+  });
+}
+
+void anysl::askLightSent(const AnyslShadeArgs *args, uint32_t point, uint32_t light, double px,
+                         double py, double pz, double nx, double ny, double nz, const char *sent,
+                         const anysl_float *numbers, uint32_t numberCount,
+                         const anysl_string *texts, uint32_t textCount, double *result) {
+  for (int i = 0; i < 9; ++i)
+    result[i] = i < 6 ? 0 : 1;
+  auto ask = args->services->light_sent;
+  if (!ask)
+    return;
+  double P[3] = {px, py, pz}, N[3] = {nx, ny, nz};
+  withMessage(sent, numbers, numberCount, texts, textCount, [&](AnyslMessage &message) {
+    ask(args->renderer, args, point, light, P, N, &message, result);
+  });
 }
 
 bool anysl::askLightFlag(const AnyslShadeArgs *args, uint32_t point, uint32_t light, double px,
                          double py, double pz, double nx, double ny, double nz, const char *name) {
   AnyslCell value;
-  return askLightValue(args, point, light, px, py, pz, nx, ny, nz, name, ANYSL_FLOAT, &value) &&
+  return askLightValue(args, point, light, px, py, pz, nx, ny, nz, "", nullptr, 0, nullptr, 0, name,
+                       ANYSL_FLOAT, 0, 0, &value) &&
          value.number != 0;
 }
 

@@ -117,6 +117,36 @@ inline void ask(Answer &answer, const anysl_context *context, const Question &q,
   answer.a = given.x, answer.b = given.y, answer.c = given.z, answer.d = given.w;
 }
 
+/// An array of any length, for one point: `f*64` says what it is.
+[[gnu::noinline]] bool askArray(const AnyslShadeArgs *args, uint32_t point, uint32_t kind,
+                                const char *subject, const char *name, const char *shape,
+                                anysl_float *numbers, uint32_t numberCount, anysl_string *texts,
+                                uint32_t textCount) {
+  auto ask = args->services->query;
+  uint32_t type = shape[0] == 'f'   ? ANYSL_FLOAT
+                  : shape[0] == 't' ? ANYSL_VECTOR
+                  : shape[0] == 'm' ? ANYSL_MATRIX
+                                    : ANYSL_STRING;
+  uint32_t components = type == ANYSL_FLOAT ? 1 : type == ANYSL_MATRIX ? 16 : 3;
+  if (!ask || numberCount == 0)
+    return false;
+  uint32_t room = type == ANYSL_STRING ? textCount : (numberCount - 1) / components, count = 0;
+  for (; count < room; ++count) {
+    AnyslQuery query = {kind, type, ANYSL_ANY_LENGTH, count, 0, 0, name, subject};
+    AnyslCell value[16] = {};
+    if (!ask(args->renderer, args, isVarying(kind) ? point : 0, &query, value))
+      break;
+    if (type == ANYSL_STRING)
+      texts[count] = value[0].string ? value[0].string : "";
+    else
+      for (uint32_t c = 0; c < components; ++c)
+        numbers[1 + count * components + c] = anysl_float(value[c].number);
+  }
+  if (count)
+    numbers[0] = anysl_float(double(count));
+  return count > 0;
+}
+
 inline void keepOr(bool known, anysl_float &x, double answer) {
   x = anysl::select(known, anysl_float(answer), x);
 }
@@ -191,6 +221,13 @@ bool anysl_query_string(anysl_context *context, uint32_t kind, int32_t number,
                                              arrayLength, element);
   *x = answer ? answer : *x;
   return answer != nullptr;
+}
+
+bool anysl_query_array(anysl_context *context, uint32_t kind, const anysl_string *subject,
+                       const anysl_string *name, const anysl_string *shape, anysl_float *numbers,
+                       uint32_t numberCount, anysl_string *texts, uint32_t textCount) {
+  return askArray(context->args, context->point, kind, nameIn(subject), nameIn(name), nameIn(shape),
+                  numbers, numberCount, texts, textCount);
 }
 
 #endif // ANYSL_STANDARD_QUERIES_H

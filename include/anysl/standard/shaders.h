@@ -8,14 +8,23 @@
 #ifndef ANYSL_STANDARD_SHADERS_H
 #define ANYSL_STANDARD_SHADERS_H
 
-#include <anysl/standard/context.h>
+#include <anysl/standard/message.h>
 
 namespace {
 
-[[gnu::noinline]] int callMethod(const AnyslShadeArgs *args, uint32_t point, const char *shader,
-                                 const char *method, double *values) {
+[[gnu::noinline]] bool callMethod(const AnyslShadeArgs *args, uint32_t point, const char *shader,
+                                  const char *what, anysl_float *numbers, uint32_t numberCount,
+                                  anysl_string *texts, uint32_t textCount) {
+  // No shader has the empty name: null is not asked about.
   auto call = args->services->call_method;
-  return call ? call(args->renderer, args, point, shader, method, values) : 0;
+  if (!call || !shader || !*shader)
+    return false;
+  return anysl::withMessage(what, numbers, numberCount, texts, textCount,
+                            [&](AnyslMessage &message) {
+                              bool done = call(args->renderer, args, point, shader, &message) != 0;
+                              anysl::takeBack(message, numbers, texts);
+                              return done;
+                            });
 }
 
 /// `const`: the same for all points, whatever shaders do; see standard/spaces.h.
@@ -27,22 +36,11 @@ namespace {
 
 } // namespace
 
-bool anysl_call_method(anysl_context *context, const anysl_string *shader,
-                       const anysl_string *method, anysl_matrix *a, anysl_matrix *b) {
-  double values[32];
-  anysl::repeat<16>([&](auto k) {
-    values[int(k)] = double(a->m[k / 4][k % 4]);
-    values[16 + int(k)] = double(b->m[k / 4][k % 4]);
-  });
-  // No shader has the empty name: null is not asked about.
-  const char *name = *shader ? *shader : "";
-  bool done =
-      *name && callMethod(context->args, context->point, name, *method ? *method : "", values);
-  anysl::repeat<16>([&](auto k) {
-    a->m[k / 4][k % 4] = anysl_float(values[int(k)]);
-    b->m[k / 4][k % 4] = anysl_float(values[16 + int(k)]);
-  });
-  return done;
+bool anysl_call_method(anysl_context *context, const anysl_string *shader, const anysl_string *what,
+                       anysl_float *numbers, uint32_t numberCount, anysl_string *texts,
+                       uint32_t textCount) {
+  return callMethod(context->args, context->point, *shader, *what, numbers, numberCount, texts,
+                    textCount);
 }
 
 bool anysl_shader_name(anysl_string *result, anysl_context *context, const anysl_string *category,

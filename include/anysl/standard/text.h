@@ -169,4 +169,13 @@ void anysl_print_rest(anysl_context *context, const anysl_string *format, int32_
   printString(context->args, context->point, textOf(format), uint32_t(index), 0, "");
 }
 
+[[gnu::noinline]] static void tellRenderer(const AnyslShadeArgs *args, const char *text) {
+  if (auto warn = args->services->warn)
+    warn(args->renderer, args, text);
+}
+
+void anysl_warn(anysl_context *context, const anysl_string *text) {
+  tellRenderer(context->args, textOf(text));
+}
+
 #endif // ANYSL_STANDARD_TEXT_H

@@ -202,49 +202,111 @@ TEST_CASE("parameters of lights are asked for by name and type") {
     anysl_string text = name;
     batch.shade(2, [&](anysl_context *context) { check(context, &text); });
   };
+  anysl_string nothing = "", sent = "level:f,mode:s", words[] = {"loud"};
+  anysl_float told[] = {5};
+  const anysl_string *message = &nothing;
+  auto value = [&](auto op, anysl_context *context, const anysl_string *name, auto *to) {
+    bool sends = message == &sent;
+    return op(context, 0, &P, &up, message, told, sends ? 1u : 0u, words, sends ? 1u : 0u, name, 4u,
+              3u, to);
+  };
   auto numbers = [&](anysl_context *context, const anysl_string *name, bool found) {
     anysl_float x = 9;
-    CHECK(use<anysl_light_float>()(context, 0, &P, &up, name, &x) == found);
+    CHECK(value(use<anysl_light_float>(), context, name, &x) == found);
     CHECK(x == Real(found ? ANYSL_FLOAT : 9));
     anysl_color c = {9, 9, 9};
-    CHECK(use<anysl_light_color>()(context, 0, &P, &up, name, &c) == found);
+    CHECK(value(use<anysl_light_color>(), context, name, &c) == found);
     CHECK(c.b == Real(found ? ANYSL_COLOR + 2 : 9));
     anysl_vector v = {9, 9, 9};
-    CHECK(use<anysl_light_vector>()(context, 0, &P, &up, name, &v) == found);
+    CHECK(value(use<anysl_light_vector>(), context, name, &v) == found);
     CHECK(v.z == Real(found ? ANYSL_VECTOR + 2 : 9));
     anysl_matrix m = {};
-    CHECK(use<anysl_light_matrix>()(context, 0, &P, &up, name, &m) == found);
+    CHECK(value(use<anysl_light_matrix>(), context, name, &m) == found);
     CHECK(m.m[3][3] == Real(found ? ANYSL_MATRIX + 15 : 0));
   };
   ask("there", [&](auto *context, auto *name) { numbers(context, name, false); }); // no service
+  static std::string heard;
   batch.services.light_value = [](void *, const AnyslShadeArgs *, uint32_t point, uint32_t,
-                                  const double P[3], const double N[3], const char *name,
-                                  uint32_t type, AnyslCell *value) {
+                                  const double P[3], const double N[3], const AnyslMessage *sent,
+                                  const AnyslQuery *query, AnyslCell *value) {
     CHECK((point == 2 && P[2] == 3 && N[2] == 1));
-    if (std::strcmp(name, "there") != 0)
+    CHECK((query->kind == ANYSL_QUERY_lightsource && query->light == 0));
+    heard = sent ? sent->what + std::to_string(int(sent->numbers[0])) + sent->texts[0] : "";
+    if (std::strcmp(query->name, "there") != 0)
       return 0;
-    if (type == ANYSL_STRING)
+    CHECK((query->array_length == 4 && query->element == 3));
+    if (query->type == ANYSL_STRING)
       value->string = "text";
     else
-      for (int i = 0; i < (type == ANYSL_FLOAT ? 1 : type == ANYSL_MATRIX ? 16 : 3); ++i)
-        value[i].number = type + i;
+      for (uint32_t i = 0; i < (query->type == ANYSL_FLOAT    ? 1u
+                                : query->type == ANYSL_MATRIX ? 16u
+                                                              : 3u);
+           ++i)
+        value[i].number = query->type + i;
     return 1;
   };
   ask("there", [&](auto *context, auto *name) { numbers(context, name, true); });
+  CHECK(heard.empty());
   ask("elsewhere", [&](auto *context, auto *name) { numbers(context, name, false); });
-  anysl_string value = "before";
+  message = &sent;
+  anysl_string text = "before";
   ask("elsewhere", [&](auto *context, auto *name) {
-    CHECK_FALSE(use<anysl_light_string>()(context, 0, &P, &up, name, &value));
-    CHECK(std::string(value) == "before");
+    CHECK_FALSE(value(use<anysl_light_string>(), context, name, &text));
+    CHECK(std::string(text) == "before");
   });
   ask("there", [&](auto *context, auto *name) {
-    CHECK(use<anysl_light_string>()(context, 0, &P, &up, name, &value));
-    CHECK(std::string(value) == "text");
+    CHECK(value(use<anysl_light_string>(), context, name, &text));
+    CHECK(std::string(text) == "text");
   });
+  CHECK(heard == "level:f,mode:s5loud");
   // A flag that the shader computes is such a parameter.
   light.flags = ANYSL_LIGHT_COMPUTES_FLAGS;
   ask("", [&](auto *context, auto *) {
     CHECK_FALSE(use<anysl_light_is_nondiffuse>()(context, 0, &P, &up));
+  });
+}
+
+TEST_CASE("a light shader is run with what is sent to it, and lights have handles") {
+  Batch batch;
+  AnyslLight lights[2] = {};
+  batch.args.lights = lights, batch.args.light_count = 2;
+  lights[0].kind = ANYSL_LIGHT_SHADER;
+  lights[0].color[0] = 2, lights[0].color[1] = lights[0].color[2] = 1;
+  lights[1].kind = ANYSL_LIGHT_POINT;
+  lights[1].color[0] = lights[1].color[1] = lights[1].color[2] = 8;
+  lights[1].from[2] = 5;
+  lights[1].handle = "bulb";
+  anysl_point P(0, 0, 3);
+  anysl_string sent = "level:f";
+  anysl_float told[] = {5};
+  anysl_string none[] = {nullptr};
+  anysl_vector L;
+  anysl_color Cl, Ol;
+  auto sample = [&](anysl_context *context, int32_t light) {
+    return use<anysl_light_sample_sent>()(context, light, &P, &up, &sent, told, 1u, none, 0u, &L,
+                                          &Cl, &Ol);
+  };
+  batch.shade(2, [&](anysl_context *context) { CHECK_FALSE(sample(context, 0)); }); // no service
+  batch.services.light_sent = [](void *, const AnyslShadeArgs *, uint32_t point, uint32_t light,
+                                 const double P[3], const double[3], const AnyslMessage *sent,
+                                 double result[9]) {
+    CHECK((point == 2 && light == 0 && sent->number_count == 1 && sent->text_count == 0));
+    for (int i = 0; i < 9; ++i)
+      result[i] = i < 3 ? P[i] : sent->numbers[0] + i;
+  };
+  batch.shade(2, [&](anysl_context *context) {
+    CHECK(sample(context, 0));
+    CHECK(L.z == 3);
+    CHECK((Cl.r == 16 && Cl.g == 9 && Cl.b == 10));
+    CHECK((Ol.r == 11 && Ol.b == 13));
+    // A light of a standard kind is no shader: 8 / 2^2.
+    CHECK(sample(context, 1));
+    CHECK((L.z == 2 && Cl.r == 2 && Ol.r == 1));
+    anysl_string handle = nullptr;
+    CHECK_FALSE(use<anysl_light_handle>()(&handle, context, 0));
+    CHECK(std::string(handle).empty());
+    CHECK(use<anysl_light_handle>()(&handle, context, 1));
+    CHECK(std::string(handle) == "bulb");
   });
 }
 

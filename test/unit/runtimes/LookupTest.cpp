@@ -174,3 +174,39 @@ TEST_CASE("rays tell what they meet first") {
     checkColor(color, 0, 0, 0);
   });
 }
+
+TEST_CASE("a ray also brings what is asked about the surface that it meets") {
+  Batch batch;
+  batch.services.trace_hit = [](void *, const AnyslShadeArgs *, uint32_t point, uint32_t width,
+                                uint32_t mask, const float *const P[3], const float *const R[3],
+                                const float *reach, const AnyslHits *hits) {
+    CHECK((point == 7 && width == 1 && mask == 1 && hits->shades == 1));
+    AnyslMessage &asked = hits->values[0];
+    CHECK(std::string(asked.what) == "surface:x:f2,attribute:name:s");
+    CHECK((asked.number_count == 2 && asked.text_count == 1));
+    if (*reach < 1)
+      return;
+    hits->distance[0] = P[0][0] + R[0][0];
+    hits->N[1][0] = 1;
+    hits->opacity[2][0] = 0.5f;
+    asked.numbers[1] += 10;
+    asked.texts[0] = "box";
+  };
+  batch.shade(7, [&](anysl_context *context) {
+    anysl_vector P(1, 2, 3), R(4, 5, 6);
+    Real far(100), near(0.5), distance, numbers[2] = {1, 2};
+    anysl_string what = "surface:x:f2,attribute:name:s", texts[1] = {"old"};
+    anysl_normal N, Ng;
+    anysl_color color, opacity;
+    CHECK_FALSE(use<anysl_trace_values>()(context, &P, &R, &near, &what, numbers, 2u, texts, 1u,
+                                          &distance, &N, &Ng, &color, &opacity));
+    CHECK((numbers[1] == 2 && distance == Real(1e30)));
+    CHECK(std::string(texts[0]) == "old");
+    CHECK(use<anysl_trace_values>()(context, &P, &R, &far, &what, numbers, 2u, texts, 1u, &distance,
+                                    &N, &Ng, &color, &opacity));
+    CHECK((numbers[0] == 1 && numbers[1] == 12 && distance == 5));
+    CHECK(std::string(texts[0]) == "box");
+    checkVector(N, 0, 1, 0);
+    checkColor(opacity, 0, 0, 0.5);
+  });
+}

@@ -112,3 +112,37 @@ TEST_CASE("a renderer without answers knows nothing") {
       use<anysl_query_float>()(&point.context, ANYSL_QUERY_surface, 0, &none, &known, 0, 0, &x));
   CHECK(x == 4);
 }
+
+TEST_CASE("an array is as long as the answers, and as there is room for") {
+  Point point;
+  point.services.query = [](void *, const AnyslShadeArgs *, uint32_t asking,
+                            const AnyslQuery *query, AnyslCell *value) {
+    CHECK((query->array_length == ANYSL_ANY_LENGTH && asking == 0));
+    if (query->element >= 3 || std::string(query->name) != "known")
+      return 0;
+    if (query->type == ANYSL_STRING)
+      value->string = "abc" + query->element;
+    else
+      for (uint32_t c = 0; c < 3; ++c)
+        value[c].number = 10 * query->element + c;
+    return 1;
+  };
+  anysl_float numbers[8] = {9, 9, 9, 9, 9, 9, 9, 9};
+  anysl_string texts[4] = {"", "", "", "old"};
+  auto ask = [&](const anysl_string &name, anysl_string shape, uint32_t count, uint32_t words) {
+    return use<anysl_query_array>()(&point.context, ANYSL_QUERY_attribute, &none, &name, &shape,
+                                    numbers, count, texts, words);
+  };
+  CHECK_FALSE(ask(unknown, "f*7", 8, 0));
+  CHECK(numbers[0] == 9);
+  CHECK(ask(known, "f*7", 8, 0));
+  CHECK((numbers[0] == 3 && numbers[1] == 0 && numbers[3] == 20 && numbers[4] == 9));
+  CHECK(ask(known, "t*2", 7, 0));
+  CHECK((numbers[0] == 2 && numbers[4] == 10 && numbers[6] == 12 && numbers[7] == 9));
+  CHECK(ask(known, "s*4", 1, 4));
+  CHECK(numbers[0] == 3);
+  CHECK((std::string(texts[0]) == "abc" && std::string(texts[2]) == "c" &&
+         std::string(texts[3]) == "old"));
+  point.services = {};
+  CHECK_FALSE(ask(known, "f*7", 8, 0));
+}

@@ -11,13 +11,18 @@
 
 namespace {
 
-/// Notes what was asked, and gives each number twice its number and one more.
+/// Notes what was asked, gives each number twice its number and one more, and doubles texts.
 int callMethod(void *renderer, const AnyslShadeArgs *, uint32_t point, const char *shader,
-               const char *method, double values[32]) {
-  *static_cast<std::string *>(renderer) +=
-      std::to_string(point) + shader + "->" + method + std::to_string(int(values[31])) + ' ';
-  for (int i = 0; i < 32; ++i)
-    values[i] = 2 * values[i] + 1;
+               AnyslMessage *message) {
+  static std::string doubled;
+  *static_cast<std::string *>(renderer) += std::to_string(point) + shader + "->" + message->what +
+                                           std::to_string(message->number_count) + ' ';
+  for (uint32_t i = 0; i < message->number_count; ++i)
+    message->numbers[i] = 2 * message->numbers[i] + 1;
+  for (uint32_t i = 0; i < message->text_count; ++i) {
+    doubled = std::string(message->texts[i]) + message->texts[i];
+    message->texts[i] = doubled.c_str();
+  }
   return std::string(shader) == "known";
 }
 
@@ -30,7 +35,8 @@ struct Point {
   AnyslServices services = {};
   AnyslShadeArgs args = {};
   anysl_context context = {};
-  anysl_matrix a, b;
+  anysl_float numbers[3] = {4, 5, 6};
+  anysl_string texts[2] = {"ab", nullptr};
 
   Point() {
     services.call_method = callMethod;
@@ -39,10 +45,6 @@ struct Point {
     args.renderer = &asked;
     context.args = &args;
     context.point = 7;
-    for (int k = 0; k < 16; ++k) {
-      a.m[k / 4][k % 4] = Real(k);
-      b.m[k / 4][k % 4] = Real(16 + k);
-    }
   }
 };
 
@@ -50,24 +52,37 @@ const anysl_string known = "known", unknown = "unknown", method = "f(t)v", none 
 
 } // namespace
 
-TEST_CASE("a method of another shader gets two matrices of numbers and changes them") {
+TEST_CASE("a method of another shader gets numbers and texts and changes them") {
   Point point;
-  CHECK(use<anysl_call_method>()(&point.context, &known, &method, &point.a, &point.b));
-  CHECK(point.asked == "7known->f(t)v31 ");
-  CHECK(point.a.m[0][0] == 1);
-  CHECK(point.a.m[2][1] == 19);
-  CHECK(point.b.m[3][3] == 63);
-  CHECK(!use<anysl_call_method>()(&point.context, &unknown, &none, &point.a, &point.b));
-  CHECK(point.asked == "7known->f(t)v31 7unknown->63 ");
+  auto call = [&](const anysl_string &shader, const anysl_string &what, uint32_t numbers,
+                  uint32_t texts) {
+    return use<anysl_call_method>()(&point.context, &shader, &what, point.numbers, numbers,
+                                    point.texts, texts);
+  };
+  CHECK(call(known, method, 2, 1));
+  CHECK(point.asked == "7known->f(t)v2 ");
+  CHECK(point.numbers[0] == 9);
+  CHECK(point.numbers[1] == 11);
+  CHECK(point.numbers[2] == 6);
+  CHECK(std::string(point.texts[0]) == "abab");
+  CHECK(point.texts[1] == nullptr);
+  // Text that is not there is the empty text.
+  CHECK_FALSE(call(unknown, none, 0, 2));
+  CHECK(point.asked == "7known->f(t)v2 7unknown->0 ");
+  CHECK(std::string(point.texts[1]).empty());
 }
 
 TEST_CASE("no shader is null, and without the service there is none") {
   Point point;
-  CHECK(!use<anysl_call_method>()(&point.context, &none, &method, &point.a, &point.b));
+  auto call = [&](const anysl_string &shader) {
+    return use<anysl_call_method>()(&point.context, &shader, &method, point.numbers, 3u,
+                                    point.texts, 0u);
+  };
+  CHECK_FALSE(call(none));
   CHECK(point.asked.empty());
   point.services = {};
-  CHECK(!use<anysl_call_method>()(&point.context, &known, &method, &point.a, &point.b));
-  CHECK(point.a.m[2][1] == 9);
+  CHECK_FALSE(call(known));
+  CHECK(point.numbers[2] == 6);
 }
 
 TEST_CASE("the renderer lists the shaders of a category") {

@@ -118,6 +118,15 @@ TEST_CASE("a pattern is matched by the renderer") {
   CHECK(result == 0);
 }
 
+TEST_CASE("a renderer is told what a shader leaves out") {
+  Point point;
+  static std::string told;
+  use<anysl_warn>()(&point.context, &string); // no service
+  point.services.warn = [](void *, const AnyslShadeArgs *, const char *text) { told += text; };
+  use<anysl_warn>()(&point.context, &string);
+  CHECK(told == "text");
+}
+
 TEST_CASE("without such services text stays as it is and nothing is printed") {
   Point point;
   point.services = {};

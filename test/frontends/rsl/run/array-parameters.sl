@@ -26,4 +26,4 @@ surface arrayparameters(uniform float list[] = {}; string names[] = {}; color ti
 
 // NONE: a 0 b 0 c 2
 // GIVEN: a 306 b 21 c 412
-// PART: parameter 'tints' is a color[32] and takes 96 values, not 2
+// PART: parameter 'tints' is a color[64] and takes 192 values, not 2

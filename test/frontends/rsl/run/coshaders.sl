@@ -53,5 +53,5 @@ class coshaders(shader layers[] = {}, more[] = null; shader absent = null;
 // INFO: surface layer
 // INFO: method layer.shade(tf)t
 // INFO: method layer.move(tff)v
-// INFO-NOT: name
+// INFO: method layer.name()s
 // TWICE: --coshader: 'one' is given twice

@@ -10,26 +10,26 @@ surface coshaders(shader layer = null; shader layers[] = {}; uniform string name
   shader s4 = getshader();          // expected-error {{'getshader' takes the name of a shader}}
   shader s5 = getshaders();         // expected-error {{initialising 's5': a value of type 'shader[]' is no 'shader'}}
   shader all[] = getshaders("category");    // expected-error {{'getshaders' takes nothing, or "category" and its name}}
-  shader lights[] = getlights();    // expected-warning {{lights have no handles here: 'getlights' gives none}}
+  shader lights[] = getlights(), keys[] = getlights("category", "key");
+  lights = getlights("key");        // expected-error {{'getlights' takes nothing, or "category" and its name}}
   if (layer == "a") Ci = 1;         // expected-error {{'==' does not compare 'shader' and 'string'}}
   if (layer < null) Ci = 1;         // expected-error {{'<' does not compare 'shader' and 'shader'}}
   if (layer) Ci = 1;                // expected-error {{a condition must be a comparison or a float, not 'shader'}}
   Ci = layer + 1;                   // expected-error {{'+' does not take 'shader' and 'float'}}
   layer->gain = 2;                  // expected-error {{'=' needs a variable to its left}}
-  Ci = layer->tint(names[0]);       // expected-warning {{a value of type 'string' cannot be handed to another shader; 'tint' is not called}}
-  Ci = layer->tint(names);          // expected-warning {{a value of type 'string[2]' cannot be handed to another shader}}
   matrix m;
-  Ci = layer->tint(m, m, 1);        // expected-warning {{33 numbers are more than the 32 that can be handed to another shader; 'tint' is not called}}
   Ci = layer->tint(unknown);        // expected-error {{unknown variable 'unknown'}}
   float f = getvar(layer, "gain");  // expected-error {{'getvar' takes a shader, a name and a variable}}
-  f = getvar(layer, "gain", text);  // expected-error {{'getvar' gives numbers, not a 'string'}}
+  f = getvar(layer, "gain", 1);     // expected-error {{output argument 3 of 'getvar' needs a variable}}
   f = getvar("layer", "gain", f);   // expected-error {{argument 1 of 'getvar': a value of type 'string' is no 'shader'}}
-  if (layer->kind == "a") Ci = 1;   // expected-warning {{another shader's text is not known here; 'kind' is not called}}
-  text = layer->named(1);           // expected-warning {{another shader cannot give a 'string'; 'named' is not called}}
   // What is allowed.
   shader next = f > 0 ? layer : null;
   shader some[2];
   some[1] = layers[0];
   if (next != some[1] && layers[0] == null) Ci = color layer->tint(f, P, m) * layer->gain;
   layer->initialise();
+  Ci = layer->tint(names[0]) + layer->tint(names, m, m, some);
+  f = getvar(layer, "name", text) + getvar(layer, text, names) + getvar(layer, "all", layers);
+  if (layer->kind == "a") Ci = 1;
+  text = layer->named(1);
 }

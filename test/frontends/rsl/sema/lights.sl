@@ -3,13 +3,15 @@
 
 surface lit(string which = "key"; uniform float u = 0) {
   float x = 0, list[2] = {1, 2};
+  float grown[];
   vector from = 0;
   lightsource("from", from);            // expected-warning {{outside of 'illuminance' there is no light to ask; it gives 0}}
-  illuminance(which, P, N, PI / 2, "lightcache", "reuse", "light:from", from, "send:light:u", 2) // expected-warning {{nothing is sent to lights; 'u' keeps its value}}
+  illuminance(which, P, N, PI / 2, "lightcache", "reuse", "light:from", from, "send:light:u", 2, "send:light:names", which)
     Ci += Cl * Ol;
   illuminance("-key", P, "light:x", x) {
     lightsource("u", u);
-    lightsource("list", list);          // expected-error {{output argument 2 of 'lightsource' needs a variable that is no array}}
+    lightsource("list", list);
+    lightsource("list", grown);         // expected-error {{output argument 2 of 'lightsource' needs an array of constant length}}
     lightsource("one", 1);              // expected-error {{output argument 2 of 'lightsource' needs a variable}}
     x = lightsource("one");             // expected-error {{'lightsource' takes a name and a variable}}
   }
@@ -19,6 +21,7 @@ surface lit(string which = "key"; uniform float u = 0) {
   illuminance(P, N, 1, "light:x", 2);   // expected-error {{'light:x' needs a variable}}
   illuminance(P, N, 1, which, x);       // expected-error {{the name of an argument must be constant text}}
   illuminance(P, N, 1, "lightcach", "reuse"); // expected-error {{'illuminance' has no argument 'lightcach'; did you mean 'lightcache'?}}
+  illuminance(P, N, 1, "send:light:x", s > 0.5) Ci += 1; // expected-error {{cannot be sent to a light}}
   illuminance("key");                   // expected-error {{'illuminance' takes a position}}
   Oi = Ol;                              // expected-error {{'Ol' exists only inside of 'illuminance'}}
 }

@@ -13,9 +13,17 @@ surface named(string file = "a.tif"; float width = 1) {
   float f = texture(file) + shadow(file, P, "blur", s) + environment(file, I);
   vector v = vector(f);
   float missing = 0;
-  gather("illuminance", P, N, 1, 4, "surface:Cj", missing, // expected-warning {{'gather' does not give "surface:Cj"; the variable stays as it is; did you mean 'surface:Ci'?}}
+  string whole;
+  float list[3], grown[];
+  gather("illuminance", P, N, 1, 4, "surfce:Cj", missing, // expected-warning {{'gather' does not give "surfce:Cj"; the variable stays as it is}}
          "sampls", 3) // expected-warning {{'gather' has no argument "sampls"; it is ignored}}
     Ci += missing;
+  gather("illuminance", P, N, 1, 4, "surface:Kd", missing, "amount", v, "primitive:st", list, "attribute:user:name", whole,
+         "bias", 0.1, "hitsides", "front", // expected-warning {{argument "hitsides" of 'gather' changes nothing: both sides are traced}}
+         "subset", "a") // expected-warning {{argument "subset" of 'gather' changes nothing: all surfaces are traced}}
+    Ci += missing;
+  gather("illuminance", P, N, 1, 4, "distributio", missing) Ci += 1; // expected-warning {{'gather' has no argument "distributio"; it is ignored; did you mean 'distribution'?}}
+  gather("illuminance", P, N, 1, 4, "surface:list", grown) Ci += 1; // expected-error {{cannot hold "surface:list"}}
   gather("illuminance", P, N, 1) Ci += 1; // expected-error {{'gather' takes a category, a point, a direction, an angle and a number of samples}}
   gather("illuminance", P, N, 1, 4, "surface:Ci", missing) // expected-error {{"surface:Ci" is a color, which a variable of type 'float' cannot hold}}
     Ci += 1;

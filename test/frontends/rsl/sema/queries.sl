@@ -13,7 +13,7 @@ surface queries(uniform float u = 1; uniform string file = "wood.tex"; float fix
   attribute("user:id", list[2]);
   textureinfo(file, "resolution", fixed);
   float growing[];
-  attribute("user:list", growing);             // expected-error {{'attribute' does not set the length of an array; it needs a constant one}}
+  attribute("user:list", growing);
   textureinfo("resolution", fixed);            // expected-error {{'textureinfo' takes a file, a name and a variable}}
   x = option("Format");                        // expected-error {{'option' takes a name and a variable}}
   x = option("Format", 1);                     // expected-error {{output argument 2 of 'option' needs a variable}}
