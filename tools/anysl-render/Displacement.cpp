@@ -48,6 +48,7 @@ private:
   void prepare();
   template <typename Real>
   void shade(Arena &arena, uint32_t first, uint32_t count);
+  void prepareOutputs();
   void movePoints();
   void findTangents();
   void findNormals();
@@ -61,8 +62,30 @@ private:
   std::vector<uint32_t> placeOf; ///< of each corner: three times a triangle, and which of its three
   std::vector<Vec3d> places, normals;       ///< of each corner, as the shader leaves them
   std::vector<Vec3d> oldPlaces, oldNormals; ///< before that
+  std::vector<Shader::Output> outputs;      ///< channel: number in mesh.values.list
   bool anyMoved = false;
 };
+
+/// What other shaders may ask for is kept at every corner.
+void Displacer::prepareOutputs() {
+  for (uint32_t i = 0; i < shader.info->param_count; ++i) {
+    const AnyslParamInfo &param = shader.info->params[i];
+    if (!(param.flags & ANYSL_PARAM_OUTPUT) || param.type == ANYSL_STRING)
+      continue;
+    Variable variable;
+    variable.name = std::string(displacementPrefix) + param.name;
+    variable.type = param.type == ANYSL_FLOAT    ? ValueType::Float
+                    : param.type == ANYSL_COLOR  ? ValueType::Color
+                    : param.type == ANYSL_MATRIX ? ValueType::Matrix
+                                                 : ValueType::Vector;
+    variable.domain = Domain::Corner;
+    variable.components =
+        anysl_type_components(param.type) * (param.array_length ? param.array_length : 1);
+    variable.values.resize(places.size() * variable.components);
+    outputs.push_back({i, uint32_t(mesh.values.list.size())});
+    mesh.values.list.push_back(std::move(variable));
+  }
+}
 
 void Displacer::prepare() {
   if (mesh.corners.empty())
@@ -114,7 +137,7 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
   };
   storeGlobals(wanted, SurfacePoint(), Ray(), 0, allocate);
   storeUniformGlobals(wanted, scene, allocate);
-  ParameterArrays<Real> parameters(arena, shader, bound, false, false, layout, size);
+  ParameterArrays<Real> parameters(arena, shader, bound, false, !outputs.empty(), layout, size);
 
   for (uint32_t i = 0; i < count; ++i) {
     uint32_t place = placeOf[first + i];
@@ -149,6 +172,13 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
       soa ? reinterpret_cast<void *const *>(arrays) : reinterpret_cast<void *const *>(&points);
   parameters.fill(args);
   shader.shade(&args, 0, count);
+  for (const Shader::Output &output : outputs) {
+    Variable &variable = mesh.values.list[output.channel];
+    for (uint32_t i = 0; i < count; ++i)
+      for (uint32_t k = 0; k < variable.components; ++k)
+        variable.values[(first + i) * variable.components + k] =
+            float(parameters.output(output, k, i));
+  }
   for (uint32_t i = 0; i < count; ++i)
     for (int k = 0; k < 3; ++k) {
       places[first + i][k] = at(ANYSL_COMPONENT_P + k, i);
@@ -159,6 +189,7 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
 template <typename Real>
 void Displacer::run() {
   prepare();
+  prepareOutputs();
   constexpr uint32_t chunk = 1024;
   uint32_t count = uint32_t(places.size());
   tbb::enumerable_thread_specific<Arena> arenas;
@@ -239,9 +270,15 @@ void Displacer::findNormals() {
   }
   for (uint32_t corner = 0; corner < normals.size(); ++corner) {
     uint32_t place = placeOf[corner];
+    Vec3d own = normalized(normals[corner]), old = normalized(oldNormals[corner]);
     normals[corner] = oldNormals[corner];
     if (place == ~uint32_t(0))
       continue;
+    // One that the shader has turned is its own.
+    if (own != Vec3d() && dot(own, old) < 1 - 1e-6) {
+      normals[corner] = own;
+      continue;
+    }
     Vec3d sum;
     for (uint32_t other : around[mesh.triangles[place / 3][place % 3]]) {
       uint32_t itsCorner = mesh.corners[other / 3][other % 3];

@@ -16,12 +16,16 @@ namespace anysl::render {
 /// AnyslShadeArgs::batch pointing to the object's. There is nothing to trace yet.
 extern const AnyslServices displacementServices;
 
+/// Names the variables of a mesh that hold what its displacement shader's outputs were.
+inline constexpr const char *displacementPrefix = "displacement:";
+
 /// Moves a mesh's points to where a displacement shader puts them, and gives it the normals and
 /// derivatives that belong there. Corners at a point go together: to the mean of where each would
 /// go, so that the mesh stays whole.
 ///
-/// Where the shader assigns N, the normals are those of the moved surface, or, if it leaves P in
-/// its place, the shader's; otherwise they stay what they were.
+/// Where the shader assigns N and gives it another direction, or leaves P in its place, the normals
+/// are the shader's; where it assigns N and P moves alone, they are those of the moved surface;
+/// otherwise they stay what they were.
 void displace(const Scene &scene, const Shader &shader, std::span<const Binding> bound,
               const Shape &shape, AnyslLayout layout, Mesh &mesh);
 

@@ -144,6 +144,7 @@ void SceneLights::addShader(const LightUse &use, const Shader &shader, LightSet 
   // A shader that looks for shadows itself must not have them twice.
   if (use.castsShadow && !(shader.info->effects & shadowsEffect))
     light.flags |= ANYSL_LIGHT_CASTS_SHADOW;
+  light.handle = use.handle.c_str();
   spread(use, light, set);
   set.hasShaders = true;
 }
@@ -162,6 +163,8 @@ void SceneLights::spread(const LightUse &use, const AnyslLight &light, LightSet 
     set.lights.push_back(light);
   for (const AreaSample &sample : samples) {
     AnyslLight &part = set.lights.emplace_back(light);
+    if (&sample != samples.data())
+      part.handle = nullptr; // one light, whatever it is sampled by
     store(part.from, sample.P);
     if (light.kind == ANYSL_LIGHT_SHADER)
       store(part.direction, sample.N);
@@ -195,6 +198,7 @@ void SceneLights::addStandard(const LightUse &use, LightSet &set, Warnings &warn
   light.cos_outer = float(std::cos(values.coneAngle));
   light.cos_inner = float(std::cos(std::max(0.0, values.coneAngle - values.coneDeltaAngle)));
   light.beam = float(values.beamDistribution);
+  light.handle = use.handle.c_str();
   spread(use, light, set);
 }
 

@@ -110,6 +110,7 @@ struct Outcome {
   bool *covered; ///< whether some surface counts already for what the nearest one gives
   Radiance *radiance;
   RayList *behind;
+  AnyslMessage *values; ///< what else the targets ask of the surfaces, or null
 };
 
 /// What AnyslShadeArgs::batch points to.
@@ -121,7 +122,8 @@ struct PacketBatch {
   const uint32_t *seeds;
   uint32_t *rays; ///< how many rays each point has traced so far
   unsigned depth;
-  const Shader *volume;                    ///< that the rays came through, or null
+  const Shader *volume; ///< that the rays came through, or null
+  const Members *members;
   const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
 };
 
@@ -129,7 +131,8 @@ class PacketHostBase : public Host {
 public:
   /// Follows rays through at most `layers` surfaces.
   virtual void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                      unsigned layers, Radiance *radiance, float *channels) const = 0;
+                      unsigned layers, Radiance *radiance, float *channels,
+                      AnyslMessage *values = nullptr) const = 0;
   virtual void findNearest(RayList &rays, unsigned mask) const = 0;
   /// Sets t to -infinity where a ray is blocked.
   virtual void findBlocked(RayList &rays) const = 0;
@@ -151,14 +154,14 @@ public:
       list.add(rays[i], i);
     state.counts.cameraRays += count;
     follow(state, list, CameraRays, 0, maxLayers, radiance,
-           theScene.channels().size() > 0 ? channels : nullptr);
+           theScene.channels().size() > 0 ? channels : nullptr, nullptr);
   }
   // Enough points for full packets after sorting, few enough for their arrays to stay in cache.
   uint32_t preferredCount() const override { return 256; }
   const Scene &scene() const override { return theScene; }
 
   void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth, unsigned layers,
-              Radiance *radiance, float *channels) const override;
+              Radiance *radiance, float *channels, AnyslMessage *values) const override;
   void findNearest(RayList &rays, unsigned mask) const override;
   void findBlocked(RayList &rays) const override;
 
@@ -263,7 +266,8 @@ void PacketHost<W>::findBlocked(RayList &rays) const {
 
 template <unsigned W>
 void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                           unsigned layers, Radiance *radiance, float *channels) const {
+                           unsigned layers, Radiance *radiance, float *channels,
+                           AnyslMessage *values) const {
   const Geometry &geometry = theScene.geometry();
   uint32_t targets = 0;
   for (uint32_t i = 0; i < rays.count; ++i) {
@@ -285,7 +289,7 @@ void PacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, uns
     behind = RayList(state.arena, list.count);
 
     // Sort the hits by group and medium, keeping the order of the rays within each.
-    Outcome outcome{passing, covered, radiance, &behind};
+    Outcome outcome{passing, covered, radiance, &behind, values};
     uint32_t *group = state.arena.allocate<uint32_t>(list.count);
     uint32_t *members = state.arena.allocate<uint32_t>(list.count);
     constexpr uint32_t done = ~uint32_t(0);
@@ -333,7 +337,7 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
   size_t size = (size_t(count) + 15) / 16 * 16;
   RayStarts starts(state.arena, size);
   uint64_t channelGlobals = members.channels ? channels.globals() : 0;
-  uint64_t lit = members.group.lights->globals;
+  uint64_t lit = members.group.globalsOfOthers();
   uint64_t wanted = colorOutputs | (shader ? shader->globals : 0) | channelGlobals | lit;
   uint64_t inVolume = volume ? (volume->globals | lit) & ~colorOutputs : 0;
   uint64_t needed =
@@ -344,7 +348,7 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
   std::optional<ParameterArrays<float>> values;
   if (shader)
     values.emplace(state.arena, *shader, members.group.bound, members.channels != nullptr,
-                   volume && volume->asksByName(), ANYSL_LAYOUT_SOA, size);
+                   (volume && volume->asksByName()) || outcome.values, ANYSL_LAYOUT_SOA, size);
 
   float *depths = state.arena.allocate<float>(size);
   for (uint32_t i = 0; i < count; ++i) {
@@ -375,10 +379,16 @@ void PacketHost<W>::shade(ThreadState &state, const Members &members,
     seeds[i] = i < count ? rays.seed[members.numbers[i]] : 0;
     traced[i] = 0;
   }
-  PacketBatch batch{this, &state, &members.group, &starts, seeds, traced, members.depth, volume};
+  PacketBatch batch{this,   &state,        &members.group, &starts, seeds,
+                    traced, members.depth, volume,         &members};
   AnyslShadeArgs surface = {};
   if (shader)
     surface = run(*shader, batch, count, globals, &*values);
+  for (uint32_t i = 0; outcome.values && i < count; ++i) {
+    uint32_t ray = members.numbers[i];
+    answerValues(outcome.values[rays.target[ray]],
+                 {&theScene, rays.hitOf(ray), rays.rayOf(ray), shader ? &surface : nullptr, i});
+  }
 
   for (uint32_t i = 0; members.channels && i < count; ++i) {
     uint32_t target = rays.target[members.numbers[i]];
@@ -576,10 +586,12 @@ void serveHits(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t widt
     for (uint32_t i = 0; i < rays.count; ++i)
       rays.medium[i] =
           batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
-    batch.host->follow(state, rays, TraceRays, batch.depth + 1, 1, radiance, nullptr);
+    batch.host->follow(state, rays, TraceRays, batch.depth + 1, 1, radiance, nullptr, hits->values);
   } else {
     std::fill_n(radiance, width, Radiance{Vec3f(), Vec3f(1), 1});
     batch.host->findNearest(rays, TraceRays);
+    for (uint32_t i = 0; hits->values && i < rays.count; ++i)
+      answerValues(hits->values[rays.target[i]], {&scene, rays.hitOf(i), rays.rayOf(i)});
   }
   for (uint32_t i = 0; i < rays.count; ++i)
     storeHit(scene.geometry(), rays.hitOf(i), rays.rayOf(i), radiance[rays.target[i]],
@@ -626,12 +638,40 @@ void serveTransmission(void *renderer, const AnyslShadeArgs *args, uint32_t poin
   std::copy_n(result, 3, color);
 }
 
+/// Calls `serve` with what is known of the point that asks: nothing where defaults are computed.
+template <typename Serve>
+auto withAsker(const AnyslShadeArgs *args, uint32_t point, const Serve &serve) {
+  const auto *batch = static_cast<const PacketBatch *>(args->batch);
+  if (!batch)
+    return serve(Asker());
+  Hit hit;
+  bool known = point < batch->members->count;
+  if (known)
+    hit = batch->members->rays.hitOf(batch->members->numbers[point]);
+  return serve(
+      Asker{batch->group, batch->volume, batch->surface, batch->depth, known ? &hit : nullptr});
+}
+
 int serveNamed(void *renderer, const AnyslShadeArgs *args, uint32_t point, const AnyslQuery *query,
                AnyslCell *value) {
-  Asker asker;
-  if (const auto *batch = static_cast<const PacketBatch *>(args->batch))
-    asker = {batch->group, batch->volume, batch->surface, batch->depth};
-  return serveQuery(*static_cast<const Shader *>(renderer), asker, args, point, *query, value);
+  return withAsker(args, point, [&](const Asker &asker) {
+    return serveQuery(*static_cast<const Shader *>(renderer), asker, args, point, *query, value);
+  });
+}
+
+int serveCall(void *renderer, const AnyslShadeArgs *args, uint32_t point, const char *handle,
+              AnyslMessage *message) {
+  return withAsker(args, point, [&](const Asker &asker) {
+    return serveMethod(*static_cast<const Shader *>(renderer), asker, args, point, handle,
+                       *message);
+  });
+}
+
+const char *serveName(void *renderer, const AnyslShadeArgs *args, const char *category,
+                      uint32_t index) {
+  return withAsker(args, 0, [&](const Asker &asker) {
+    return serveShaderName(*static_cast<const Shader *>(renderer), asker, category, index);
+  });
 }
 
 int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from, const char *to,
@@ -655,6 +695,8 @@ const AnyslServices services = [] {
   offered.shadow = outsideShading<serveShadow>;
   offered.trace_hit = serveHits;
   offered.query = serveNamed;
+  offered.call_method = serveCall;
+  offered.shader_name = serveName;
   return offered;
 }();
 

@@ -13,8 +13,11 @@
 
 #include "tools/anysl-render/Queries.h"
 #include "lib/Textures/Answer.h"
+#include "tools/anysl-render/Displacement.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <string_view>
 
 using namespace anysl::render;
@@ -58,6 +61,42 @@ uint32_t shaderType(ValueType type) {
     break; // no shader has any
   }
   return 0;
+}
+
+/// The value of a variable of a surface at a hit.
+int answerVariable(const Scene &scene, const Hit &hit, const Ray *ray, std::string_view name,
+                   const AnyslQuery &query, AnyslCell *value) {
+  const Geometry &geometry = scene.geometry();
+  const std::vector<Variable> &list = geometry.variablesOf(hit).list;
+  auto found = std::find_if(list.begin(), list.end(),
+                            [&](const Variable &variable) { return variable.name == name; });
+  if (found == list.end())
+    return 0;
+  SurfacePoint point;
+  if (ray)
+    geometry.evaluate(hit, ray->origin, ray->direction,
+                      uint64_t(1) << ANYSL_u | uint64_t(1) << ANYSL_v, point);
+  std::vector<float> numbers(found->components);
+  geometry.variable(hit, point, uint32_t(found - list.begin()), numbers.data());
+  std::vector<AnyslCell> cells(found->components);
+  for (size_t i = 0; i < cells.size(); ++i)
+    cells[i].number = double(numbers[i]);
+  uint32_t type = shaderType(found->type), components = anysl_type_components(type);
+  if (!components)
+    return 0;
+  uint32_t length = found->components == components ? 0 : found->components / components;
+  return anysl_answer(&query, type, length, cells.data(), value);
+}
+
+/// A displacement shader runs where a surface is diced: its outputs are interpolated from there.
+int answerDisplacement(const Scene &scene, const Hit &hit, const AnyslQuery &query,
+                       AnyslCell *value) {
+  const Shader *shader = scene.displacementOf(scene.geometry().shapeOf(hit));
+  if (!shader)
+    return 0;
+  return answerVariable(scene, hit, nullptr, std::string(displacementPrefix) + query.name, query,
+                        value) ||
+         anysl_instance_answer(shader->instance.get(), nullptr, 0, &query, value);
 }
 
 /// A value of the file, by its declaration; without one, what is asked for decides.
@@ -161,6 +200,8 @@ int anysl::render::serveQuery(const Shader &shader, const Asker &asker, const An
   switch (query.kind) {
   case ANYSL_QUERY_surface:
     return ask(group.shader, asker.surface);
+  case ANYSL_QUERY_displacement:
+    return asker.hit ? answerDisplacement(*shader.scene, *asker.hit, query, value) : 0;
   case ANYSL_QUERY_atmosphere:
     return ask(group.atmosphere);
   case ANYSL_QUERY_incident:
@@ -174,4 +215,77 @@ int anysl::render::serveQuery(const Shader &shader, const Asker &asker, const An
   default:
     return 0;
   }
+}
+
+//===-- Co-shaders ----------------------------------------------------------//
+
+namespace {
+
+/// A shader says with its parameter __category what it belongs to.
+bool belongsTo(const Shader &shader, const char *category) {
+  const char *own = nullptr;
+  return !*category ||
+         (anysl_instance_get_strings(shader.instance.get(), "__category", &own, 1) == ANYSL_OK &&
+          !std::strcmp(own, category));
+}
+
+} // namespace
+
+int anysl::render::serveMethod(const Shader &shader, const Asker &asker, const AnyslShadeArgs *args,
+                               uint32_t point, const char *handle, AnyslMessage &message) {
+  if (asker.group && asker.group->appearance->coshaders) {
+    const auto &all = *asker.group->appearance->coshaders;
+    auto found = all.find(std::string_view(handle));
+    const Shader *other = found == all.end() ? nullptr : shader.scene->shader(found->second);
+    if (other)
+      return anysl_method_call(other->instance.get(), args, point, &message);
+  }
+  return anysl_light_call(args, point, handle, &message);
+}
+
+const char *anysl::render::serveShaderName(const Shader &shader, const Asker &asker,
+                                           const char *category, uint32_t index) {
+  if (!asker.group || !asker.group->appearance->coshaders)
+    return nullptr;
+  for (const auto &[handle, number] : *asker.group->appearance->coshaders) {
+    const Shader *other = shader.scene->shader(number);
+    if (other && belongsTo(*other, category) && !index--)
+      return handle.c_str();
+  }
+  return nullptr;
+}
+
+//===-- What a ray has met --------------------------------------------------//
+
+namespace {
+
+int answerMet(void *data, const AnyslQuery *query, AnyslCell *value) {
+  const auto &met = *static_cast<const MetSurface *>(data);
+  const Scene &scene = *met.scene;
+  const Geometry &geometry = scene.geometry();
+  switch (query->kind) {
+  case ANYSL_QUERY_surface: {
+    const Shader *shader = scene.group(geometry.groupOf(met.hit)).shader;
+    return shader
+               ? anysl_instance_answer(shader->instance.get(), met.surface, met.point, query, value)
+               : 0;
+  }
+  case ANYSL_QUERY_displacement:
+    return answerDisplacement(scene, met.hit, *query, value);
+  case ANYSL_QUERY_attribute: {
+    const Shape &shape = scene.description.shapes[geometry.shapeOf(met.hit)];
+    return answerAttribute(scene.description.appearances[shape.appearance], *query, value);
+  }
+  case ANYSL_QUERY_PRIMITIVE:
+    return answerVariable(scene, met.hit, &met.ray, query->name, *query, value);
+  default:
+    return 0;
+  }
+}
+
+} // namespace
+
+void anysl::render::answerValues(AnyslMessage &message, const MetSurface &met) {
+  if (met.hit.isHit())
+    anysl_message_answer(&message, answerMet, const_cast<MetSurface *>(&met));
 }

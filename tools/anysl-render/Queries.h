@@ -18,13 +18,31 @@ struct Asker {
   const ShadingGroup *group = nullptr;
   const Shader *volume = nullptr; ///< that the rays came through, or null
   const AnyslShadeArgs *surface =
-      nullptr;        ///< what the surface was shaded with, asked for by its volume
-  unsigned depth = 0; ///< how many traced rays lie between the eye and the points
+      nullptr;              ///< what the surface was shaded with, asked for by its volume
+  unsigned depth = 0;       ///< how many traced rays lie between the eye and the points
+  const Hit *hit = nullptr; ///< where the point that asks lies, or null
 };
 
 /// The service `query`: `shader` asks.
 int serveQuery(const Shader &shader, const Asker &asker, const AnyslShadeArgs *args, uint32_t point,
                const AnyslQuery &query, AnyslCell *value);
+
+/// The services `call_method` and `shader_name`, for the co-shaders of the points that ask and the
+/// lights that shine on them.
+int serveMethod(const Shader &shader, const Asker &asker, const AnyslShadeArgs *args,
+                uint32_t point, const char *handle, AnyslMessage &message);
+const char *serveShaderName(const Shader &shader, const Asker &asker, const char *category,
+                            uint32_t index);
+
+/// A surface that a ray has met, for AnyslHits::values.
+struct MetSurface {
+  const Scene *scene;
+  Hit hit;
+  Ray ray;
+  const AnyslShadeArgs *surface = nullptr; ///< what it was shaded with; null: not at all
+  uint32_t point = 0;                      ///< its number among the points shaded so
+};
+void answerValues(AnyslMessage &message, const MetSurface &met);
 
 } // namespace anysl::render
 

@@ -174,7 +174,7 @@ Declaration anysl::render::parseDeclaration(std::string_view text, std::string *
       {"float", ValueType::Float},   {"integer", ValueType::Float}, {"int", ValueType::Float},
       {"color", ValueType::Color},   {"point", ValueType::Point},   {"vector", ValueType::Vector},
       {"normal", ValueType::Normal}, {"hpoint", ValueType::HPoint}, {"matrix", ValueType::Matrix},
-      {"string", ValueType::String}};
+      {"string", ValueType::String}, {"shader", ValueType::String}};
   std::vector<std::string> words(1);
   for (char c : text) {
     bool separates = c == ' ' || c == '\t' || c == '[' || c == ']';

@@ -44,6 +44,28 @@ void RibState::imager(RibArguments &arguments) {
   scene.imager = addShader(ShaderKind::Imager, arguments);
 }
 
+/// Shader "name" "handle" parameters: one that others call by its handle.
+void RibState::coshader(RibArguments &arguments) {
+  ShaderUse use;
+  use.kind = ShaderKind::Any;
+  use.where = arguments.where();
+  use.name = arguments.string("a shader's name");
+  std::string handle = arguments.handle("a handle");
+  use.parameters = arguments.parameters();
+  use.shaderToCamera = state.transform;
+  std::map<std::string, int, std::less<>> all;
+  if (state.appearance.coshaders)
+    all = *state.appearance.coshaders;
+  if (use.name.empty() || use.name == "null") {
+    all.erase(handle);
+  } else {
+    all[handle] = int(scene.shaders.size());
+    scene.shaders.push_back(std::move(use));
+  }
+  state.appearance.coshaders =
+      std::make_shared<const std::map<std::string, int, std::less<>>>(std::move(all));
+}
+
 void RibState::deformation(RibArguments &arguments) {
   std::string name = arguments.string("a shader's name");
   arguments.parameters();
@@ -57,6 +79,7 @@ uint32_t RibState::addLight(RibArguments &arguments) {
   light.where = arguments.where();
   light.name = arguments.string("a light's name");
   std::string handle = arguments.handle("a handle");
+  light.handle = handle;
   light.parameters = arguments.parameters();
   light.lightToCamera = state.transform;
   light.castsShadow = state.lightShadows;

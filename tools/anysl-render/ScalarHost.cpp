@@ -30,8 +30,9 @@ struct PointBatch {
   RayStarts starts;
   unsigned depth;
   uint32_t seed;
-  uint32_t rays = 0;                       ///< how many the shader has traced from this point
-  const Shader *volume = nullptr;          ///< that the ray came through, or null
+  uint32_t rays = 0;              ///< how many the shader has traced from this point
+  const Shader *volume = nullptr; ///< that the ray came through, or null
+  const Hit *hit = nullptr;
   const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
 };
 
@@ -60,12 +61,14 @@ public:
 
 private:
   /// Follows a ray through at most `layers` surfaces.
+  /// `values`: what else is asked of the first.
   Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth, unsigned layers,
-                  float *channels) const;
+                  float *channels, AnyslMessage *values = nullptr) const;
   Vec3f transmission(ThreadState &state, const Ray &ray) const;
   template <typename Real>
   void shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
-             const Shader *volume, PointColors &colors, float *channels) const;
+             const Shader *volume, PointColors &colors, float *channels,
+             AnyslMessage *values) const;
   template <typename Real>
   AnyslShadeArgs run(const Shader &shader, const ShadingGroup &group, PointBatch &batch,
                      Real *globals, const ParameterArrays<Real> *values) const;
@@ -97,10 +100,23 @@ private:
   }
   static int serveNamed(void *renderer, const AnyslShadeArgs *args, uint32_t point,
                         const AnyslQuery *query, AnyslCell *value) {
-    Asker asker;
-    if (const auto *batch = static_cast<const PointBatch *>(args->batch))
-      asker = {batch->group, batch->volume, batch->surface, batch->depth};
-    return serveQuery(*static_cast<const Shader *>(renderer), asker, args, point, *query, value);
+    return serveQuery(*static_cast<const Shader *>(renderer), askerOf(args), args, point, *query,
+                      value);
+  }
+  static int serveCall(void *renderer, const AnyslShadeArgs *args, uint32_t point,
+                       const char *handle, AnyslMessage *message) {
+    return serveMethod(*static_cast<const Shader *>(renderer), askerOf(args), args, point, handle,
+                       *message);
+  }
+  static const char *serveName(void *renderer, const AnyslShadeArgs *args, const char *category,
+                               uint32_t index) {
+    return serveShaderName(*static_cast<const Shader *>(renderer), askerOf(args), category, index);
+  }
+  /// What is known of the point that asks: nothing where defaults are computed.
+  static Asker askerOf(const AnyslShadeArgs *args) {
+    const auto *batch = static_cast<const PointBatch *>(args->batch);
+    return batch ? Asker{batch->group, batch->volume, batch->surface, batch->depth, batch->hit}
+                 : Asker();
   }
   static const AnyslServices services;
 
@@ -119,6 +135,8 @@ const AnyslServices ScalarHost::services = [] {
   offered.shadow = outsideShading<serveShadow>;
   offered.trace_hit = serveHits;
   offered.query = serveNamed;
+  offered.call_method = serveCall;
+  offered.shader_name = serveName;
   return offered;
 }();
 
@@ -129,7 +147,7 @@ struct Triple {
 };
 
 Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth,
-                            unsigned layers, float *channels) const {
+                            unsigned layers, float *channels, AnyslMessage *values) const {
   const Geometry &geometry = theScene.geometry();
   Radiance radiance;
   PointColors colors{Vec3f(1), true, {}, {}};
@@ -141,7 +159,7 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     }
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
     const Shader *volume = ray.medium ? ray.medium : group.atmosphere;
-    uint64_t needed = group.lights->globals | (group.shader ? group.shader->needed : 0) |
+    uint64_t needed = group.globalsOfOthers() | (group.shader ? group.shader->needed : 0) |
                       (volume ? volume->needed : 0) |
                       (channels ? theScene.channels().globals() : 0);
     SurfacePoint point;
@@ -152,10 +170,11 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
     batch.starts.set(0, point);
     batch.volume = volume;
+    batch.hit = &hit;
     if (theScene.real() == ANYSL_REAL_DOUBLE)
-      shade<double>(batch, hit, point, ray, volume, colors, channels);
+      shade<double>(batch, hit, point, ray, volume, colors, channels, values);
     else
-      shade<float>(batch, hit, point, ray, volume, colors, channels);
+      shade<float>(batch, hit, point, ray, volume, colors, channels, values);
     bool seen = !group.matte || depth > 0;
     if (seen)
       radiance.color += colors.passing * colors.Ci;
@@ -176,14 +195,15 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
 
 template <typename Real>
 void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
-                       const Shader *volume, PointColors &colors, float *channels) const {
+                       const Shader *volume, PointColors &colors, float *channels,
+                       AnyslMessage *asked) const {
   const Shader *shader = batch.group->shader;
   Arena &arena = batch.state->arena;
   Arena::Scope scope(arena);
   // The interface promises room for 16 points; only the first is ever written.
   Real *globals = arena.allocate<Real>(16 * ANYSL_COMPONENT_COUNT);
   auto store = [globals](int component, double value) { globals[component] = Real(value); };
-  uint64_t lit = batch.group->lights->globals;
+  uint64_t lit = batch.group->globalsOfOthers();
   uint64_t wanted = colorOutputs | lit | (shader ? shader->globals : 0) |
                     (channels ? theScene.channels().globals() : 0);
   storeGlobals(wanted, point, ray, ray.travelled, store);
@@ -192,7 +212,7 @@ void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &po
   if (shader) {
     storeUniformGlobals(wanted, theScene, store);
     values.emplace(arena, *shader, batch.group->bound, channels != nullptr,
-                   volume && volume->asksByName(), ANYSL_LAYOUT_AOS, 16);
+                   (volume && volume->asksByName()) || asked, ANYSL_LAYOUT_AOS, 16);
     if (!batch.group->bound.empty())
       values->set(0, theScene.bindingsOf(theScene.geometry().shapeOf(hit)),
                   [&](uint32_t variable, float *value) {
@@ -204,6 +224,8 @@ void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &po
     for (int k = 0; k < 3; ++k)
       globals[ANYSL_COMPONENT_Ci + k] = Ci[k];
   }
+  if (asked)
+    answerValues(*asked, {&theScene, hit, ray, shader ? &surface : nullptr});
   auto color = [](const Real *from, int component) {
     return Vec3f(float(from[component]), float(from[component + 1]), float(from[component + 2]));
   };
@@ -323,7 +345,10 @@ void ScalarHost::serveHits(void *, const AnyslShadeArgs *args, uint32_t, uint32_
   Radiance radiance{Vec3f(), Vec3f(1), 1};
   // Beyond the deepest level surfaces are black.
   if (hits->shades && batch.depth < scene.description.maxDepth)
-    radiance = batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, 1, nullptr);
+    radiance =
+        batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, 1, nullptr, hits->values);
+  else if (hits->values)
+    answerValues(*hits->values, {&scene, hit, ray});
   storeHit(scene.geometry(), hit, ray, radiance, 0, *hits);
 }
 

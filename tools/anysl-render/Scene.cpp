@@ -30,11 +30,13 @@ Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const Anys
       lights(given, cache, warnings) {
   loadShaders(services, warnings);
   makeGroups(services, warnings);
+  displacements.resize(description.shapes.size());
   auto move = [&](uint32_t index, Mesh &mesh) {
     const Shape &shape = description.shapes[index];
     int number = description.appearances[shape.appearance].displacement;
     ShapeBindings found = bind(shape, *shaders[size_t(number)], warnings);
     const Shader &shader = *specialise(number, found.constant, displacementServices, warnings);
+    displacements[index] = &shader;
     displace(*this, shader, found.varying, shape, layout, mesh);
   };
   surfaces = std::make_unique<Geometry>(description, camera, groupOfShape, move);
@@ -47,6 +49,9 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
     const Appearance &appearance = description.appearances[shape.appearance];
     used.insert({appearance.surface, appearance.displacement, appearance.atmosphere,
                  appearance.interior, appearance.exterior});
+    if (appearance.coshaders)
+      for (const auto &[handle, index] : *appearance.coshaders)
+        used.insert(index);
   }
   used.insert(description.imager);
   used.erase(-1);
@@ -127,7 +132,7 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
       return shaderOf(index) && (shaderOf(index)->info->services & spacesService) != 0;
     });
     bool byAppearance = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
-      return shaderOf(index) && shaderOf(index)->asksByName();
+      return shaderOf(index) && (shaderOf(index)->asksByName() || shaderOf(index)->callsOthers());
     });
     const Shader *surface = shaderOf(appearance.surface);
     ShapeBindings found;
@@ -145,10 +150,21 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
             byAppearance ? shape.appearance : anyObject,
             std::move(bound)};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
-    if (isNewGroup)
-      groups.push_back({surface, shaderOf(indices[1]), shaderOf(indices[2]), shaderOf(indices[3]),
-                        &set->second, Space(shape.objectToCamera), appearance.matte, found.varying,
-                        &appearance});
+    if (isNewGroup) {
+      ShadingGroup &group = groups.emplace_back();
+      group.shader = surface;
+      group.atmosphere = shaderOf(indices[1]);
+      group.interior = shaderOf(indices[2]);
+      group.exterior = shaderOf(indices[3]);
+      group.lights = &set->second;
+      group.object = Space(shape.objectToCamera);
+      group.matte = appearance.matte;
+      group.bound = found.varying;
+      group.appearance = &appearance;
+      if (byAppearance && appearance.coshaders)
+        for (const auto &[handle, index] : *appearance.coshaders)
+          group.called |= shaderOf(index) ? shaderOf(index)->globals : 0;
+    }
     bindings.push_back(std::move(found.varying));
     groupOfShape.push_back(entry->second);
   }

@@ -24,12 +24,16 @@ struct ShadingGroup {
   /// Volumes: between the eye and the surface, and where rays go that start on its two sides.
   const Shader *atmosphere = nullptr, *interior = nullptr, *exterior = nullptr;
   const LightSet *lights = nullptr;
+  uint64_t called = 0; ///< the globals that co-shaders name, as bits
+  /// Those that others than the surface's own shaders want to find.
+  uint64_t globalsOfOthers() const { return lights->globals | called; }
   Space object;
   bool matte = false; ///< hides what is behind it from the camera, and is transparent itself
   /// Parameters of the surface shader that take their values from the shapes' variables, which each
   /// shape has in its own places.
   std::vector<Binding> bound;
-  const Appearance *appearance = nullptr; ///< of all points, if a shader asks questions by name
+  /// Of all points, if a shader asks questions by name or calls others.
+  const Appearance *appearance = nullptr;
 };
 
 /// What both hosts work on: surfaces in Embree, shaders with their values, lights, camera. It is
@@ -49,6 +53,10 @@ public:
   textures::Textures &pictures() const { return *textures; }
   const Channels &channels() const { return wantedChannels; }
   const Shader *imager() const; ///< or null
+  /// One of description.shaders; null where no shape uses it, or it is missing.
+  const Shader *shader(int index) const { return shaders[size_t(index)].get(); }
+  /// The shader that has moved a shape, with the shape's own values; null: none.
+  const Shader *displacementOf(uint32_t shape) const { return displacements[shape]; }
   const ShadingGroup &group(uint32_t index) const { return groups[index]; }
   /// Those of a shape, for the parameters that its group lists.
   std::span<const Binding> bindingsOf(uint32_t shape) const { return bindings[shape]; }
@@ -78,6 +86,7 @@ private:
   std::map<std::vector<uint32_t>, LightSet> lightSets;
   std::vector<ShadingGroup> groups;
   std::vector<uint32_t> groupOfShape;
+  std::vector<const Shader *> displacements; ///< by shape
   std::unique_ptr<Geometry> surfaces;
 };
 

@@ -56,8 +56,9 @@ const Parameter *findParameter(const ParameterList &list, std::string_view name)
 /// Options or attributes by their full names, as in "searchpath:shader".
 using ParameterMap = std::map<std::string, Parameter, std::less<>>;
 
-/// The kinds of shader, with the numbers that shader libraries have for them.
-enum class ShaderKind { Surface = 1, Displacement, Light, Volume, Imager };
+/// The kinds of shader, with the numbers that shader libraries have for them; a co-shader may be of
+/// any.
+enum class ShaderKind { Any = 0, Surface = 1, Displacement, Light, Volume, Imager };
 
 /// A shader as a request such as Surface names it.
 struct ShaderUse {
@@ -91,6 +92,8 @@ struct Appearance {
   std::array<double, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1}; ///< s t at the (u, v) corners
   /// What Attribute has stated, known here or not; null: nothing.
   std::shared_ptr<const ParameterMap> attributes;
+  /// Co-shaders by handle: indices into SceneDescription::shaders; null: none.
+  std::shared_ptr<const std::map<std::string, int, std::less<>>> coshaders;
   friend bool operator==(const Appearance &, const Appearance &) = default;
 };
 
@@ -181,6 +184,7 @@ struct Shape {
 
 struct LightUse {
   std::string name;
+  std::string handle; ///< by which shaders know it
   ParameterList parameters;
   Matrix4 lightToCamera = Matrix4::identity();
   bool castsShadow = true;

@@ -56,7 +56,7 @@ const AnyslShaderInfo *findShader(const AnyslLibrary *library, const ShaderUse &
   unsigned count = 0;
   for (uint32_t i = 0; i < file.shader_count; ++i) {
     const AnyslShaderInfo &shader = file.shaders[i];
-    if (shader.kind != uint32_t(use.kind)) {
+    if (use.kind != ShaderKind::Any && shader.kind != uint32_t(use.kind)) {
       other = &shader;
       continue;
     }
@@ -65,6 +65,9 @@ const AnyslShaderInfo *findShader(const AnyslLibrary *library, const ShaderUse &
     found = &shader;
     ++count;
   }
+  // Of a class any part does: its methods and parameters are all there.
+  if (use.kind == ShaderKind::Any && count > 0)
+    return &file.shaders[0];
   const std::string kind = anysl_kind_name(uint32_t(use.kind));
   if (count > 1)
     throw UserError(use.where, "\"" + use.name + "\" holds " + std::to_string(count) + " " + kind +
@@ -146,12 +149,20 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
     shader->width = anysl_shader_widest(info);
   }
   constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
-  shader->needed = info->globals_read;
+  uint64_t read = info->globals_read, written = info->globals_written;
+  // A co-shader's methods are shaders of their own, which find the globals of who calls them.
+  const AnyslLibraryInfo &file = *anysl_library_info(library);
+  for (uint32_t i = 0; use.kind == ShaderKind::Any && i < file.shader_count; ++i)
+    if (file.shaders[i].kind == ANYSL_METHOD) {
+      read |= file.shaders[i].globals_read;
+      written |= file.shaders[i].globals_written;
+    }
+  shader->needed = read;
   if (shader->needed & bits(ANYSL_dNdu, ANYSL_dNdv, ANYSL_dsdu, ANYSL_dsdv, ANYSL_dtdu, ANYSL_dtdv))
     shader->needed |= derivativesBit;
   if (shader->needed & footprintBits)
     shader->needed |= bits(ANYSL_dPdu, ANYSL_dPdv);
-  shader->globals = info->globals_read | info->globals_written;
+  shader->globals = read | written;
   setParameters(*shader);
   return shader;
 }

@@ -46,6 +46,8 @@ struct Shader {
 
   /// Whether it asks questions by name: service number 7 of lib/STC/Services.def.
   bool asksByName() const { return (info->services >> 7 & 1) != 0; }
+  /// Whether it calls other shaders: service number 6.
+  bool callsOthers() const { return (info->services >> 6 & 1) != 0; }
 };
 
 /// Whether a value declared in the scene may go into a shader's parameter of an AnyslType.
