@@ -12,7 +12,8 @@ config.test_source_root = os.path.join(config.anysl_source_dir, "test")
 config.test_exec_root = os.path.join(config.anysl_build_dir, "test")
 
 tools = os.path.join(config.anysl_build_dir, "bin")
-config.environment["PATH"] = os.pathsep.join([tools, config.anysl_llvm_bin, os.environ["PATH"]])
+test_tools = os.path.join(config.anysl_build_dir, "test", "bin")
+config.environment["PATH"] = os.pathsep.join([tools, test_tools, config.anysl_llvm_bin, os.environ["PATH"]])
 # Compiled shaders of one run must not serve the next.
 config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cache")
 
@@ -23,6 +24,7 @@ config.substitutions += [
     ("%tools_dir", tools),
     ("%lib_dir", os.path.join(config.anysl_build_dir, "lib")),
     ("%source_dir", config.anysl_source_dir),
+    ("%build_dir", config.anysl_build_dir),
 ]
 
 if config.anysl_sanitize:

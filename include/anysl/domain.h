@@ -6,9 +6,11 @@
 //===------------------------------------------------------------------------------------------===//
 //
 // The one place for such rules. From finite operands no function here gives NaN or infinity, so
-// that one bad pixel never spreads; NaN operands still give NaN. Sums and products may overflow, as
-// IEEE arithmetic has it. Here are the functions for float and double; <anysl/dual.h> has those of
-// numbers with derivatives, whose values are the same.
+// that one bad pixel never spreads; NaN operands still give NaN. Sums, products and quotients may
+// overflow, as IEEE arithmetic has it. What is no operand of a function is replaced before it is
+// called, not after: then no finite operand raises the flags of an invalid operation or a division
+// by zero, not even in a lane that idles. Here are the functions for float and double;
+// <anysl/dual.h> has those of numbers with derivatives, whose values are the same.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -23,7 +25,8 @@ namespace anysl {
 /// a / b; 0 where |b| is below the smallest normal number (and so for b = 0).
 template <typename Real>
 inline Real divide(Real a, Real b) {
-  return select(absOf(b) < IeeeFormat<Real>::smallestNormal, Real(0), math::divide(a, b));
+  bool isNothing = absOf(b) < IeeeFormat<Real>::smallestNormal;
+  return select(isNothing, Real(0), math::divide(a, divisor(b, isNothing)));
 }
 
 /// The square root; 0 for x < 0.
@@ -35,7 +38,7 @@ inline Real squareRoot(Real x) {
 /// 1 / sqrt(x); 0 for x <= 0.
 template <typename Real>
 inline Real inverseSquareRoot(Real x) {
-  return select(x <= 0, Real(0), math::inversesqrt(x));
+  return select(x <= 0, Real(0), math::inversesqrt(divisor(absOf(x), x == 0)));
 }
 
 /// e to the x, at most the largest finite number.
@@ -65,11 +68,11 @@ inline Real power(Real x, Real y) {
   Real half = y * Real(0.5);
   bool isInteger = floorOf(y) == y;
   bool isOdd = isInteger & (floorOf(half) != half);
-  Real magnitude = math::pow(absOf(x), y);
+  bool isUndefined = ((x < 0) & !isInteger) | ((x == 0) & (y < 0));
+  Real magnitude = math::pow(divisor(absOf(x), (x == 0) & (y <= 0)), y);
   magnitude = select(magnitude > IeeeFormat<Real>::largestFinite, IeeeFormat<Real>::largestFinite,
                      magnitude);
   Real result = negateIf(magnitude, isOdd & (x < 0));
-  bool isUndefined = ((x < 0) & !isInteger) | ((x == 0) & (y < 0));
   result = select(isUndefined & (y == y), Real(0), result);
   result = select(y == 2, x * x, result);
   result = select(y == 1, x, result);
@@ -81,7 +84,7 @@ inline Real power(Real x, Real y) {
 template <typename Real>
 inline Real modulo(Real a, Real b) {
   uint32_t sign = b < 0;
-  Real x = negateIf(a, sign), period = absOf(b);
+  Real x = negateIf(a, sign), period = divisor(absOf(b), b == 0);
   Real quotient = floorOf(math::divide(x, period));
   Real r = fusedMultiplyAdd(-quotient, period, x);
   // A quotient just below an integer rounds to it, and is then one too large.
@@ -90,7 +93,7 @@ inline Real modulo(Real a, Real b) {
   r = select(r < period, r, justBelow(period));
   r = select(r < 0, Real(0), r);
   bool isEndless = absOf(quotient) > IeeeFormat<Real>::largestFinite;
-  r = select((period == 0) | isEndless, Real(0), r);
+  r = select((b == 0) | isEndless, Real(0), r);
   // NaN operands fail every comparison above.
   Real sum = a + b;
   r = select(isNaN(sum), sum, r);

@@ -220,6 +220,10 @@ inline Dual<Real> justBelow(const Dual<Real> &x) {
   return {justBelow(x.value), x.u, x.v};
 }
 template <typename Real>
+inline Dual<Real> divisor(const Dual<Real> &x, bool isNothing) {
+  return withValue(divisor(x.value, isNothing), x);
+}
+template <typename Real>
 inline Dual<Real> fusedMultiplyAdd(const Dual<Real> &a, const Dual<Real> &b, const Dual<Real> &c) {
   Dual<Real> product = a * b, sum = product + c;
   return {fusedMultiplyAdd(a.value, b.value, c.value), sum.u, sum.v};

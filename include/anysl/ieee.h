@@ -65,6 +65,15 @@ inline Real justBelow(Real x) {
   return fromBits<Real>(bitsOf(x) - 1);
 }
 
+/// x, a number or 0; where `isNothing`, which says that x is 0 or denormal, a number of its sign in
+/// [1, 2): what to divide by in place of x, so that no flag is raised. Not `isNothing ? 1 : x`, which
+/// the optimizer takes out of a quotient again, as it does with every constant. The result of the
+/// division is for the caller to replace; in tiers that do not care for flags x stays as it is.
+template <typename Real>
+inline Real divisor(Real x, bool isNothing) {
+  return fromBits<Real>(bitsOf(x) | ((isNothing & math::keepsFlags()) ? bitsOf(Real(1)) : 0));
+}
+
 /// -x where bit 0 of `sign` is set, else x. The other bits do not count.
 template <typename Real>
 inline Real negateIf(Real x, uint32_t sign) {
@@ -129,12 +138,11 @@ inline double fusedMultiplyAdd(double a, double b, double c) { return __builtin_
 
 /// The integer x (floored already) modulo 2^32. Beyond the integers of the format, and for NaN, one
 /// fixed cell: conversion of such numbers is undefined, and differs between scalar and vector
-/// instructions.
+/// instructions. (Limits written as choices would be converted arm by arm, and so without limit.)
 template <typename Real>
 inline uint32_t latticeCell(Real x) {
   constexpr Real high = IeeeFormat<Real>::largestInteger, low = -high;
-  x = x > low ? x : low;
-  x = x < high ? x : high;
+  x = __builtin_elementwise_min(__builtin_elementwise_max(x, low), high);
   return uint32_t(typename IeeeFormat<Real>::Integer(x));
 }
 
@@ -143,8 +151,7 @@ template <typename Real>
 inline int32_t toInteger(Real x) {
   constexpr Real high = IeeeFormat<float>::largestInteger, low = -high;
   x = isNaN(x) ? Real(0) : x;
-  x = x > low ? x : low;
-  x = x < high ? x : high;
+  x = __builtin_elementwise_min(__builtin_elementwise_max(x, low), high);
   return int32_t(x);
 }
 

@@ -227,6 +227,8 @@ inline Interval operator*(const Interval &a, const Interval &b) {
 inline float numberOf(const Interval &x) { return float(x.middle()); }
 inline bool isFinite(const Interval &x) { return isFinite(x.low) && isFinite(x.high); }
 inline bool hasSign(const Interval &x) { return hasSign(float(x.middle())); }
+/// There are no flags to keep.
+inline Interval divisor(const Interval &x, const Truth &) { return x; }
 inline Interval negateIf(const Interval &x, uint32_t sign) { return sign & 1 ? -x : x; }
 inline Interval absOf(const Interval &x) {
   if (x.low >= 0)

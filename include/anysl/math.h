@@ -30,6 +30,10 @@ extern "C" {
   ANYSL_MATH_ATTRIBUTES double anysl_math_##name(double x, double y);
 #include <anysl/MathFunctions.def>
 
+/* Whether operators take care that no finite operand raises the flag of an invalid operation or of a
+   division by zero. It costs instructions, and a tier may do without (docs/numerics.md). */
+ANYSL_MATH_ATTRIBUTES int anysl_math_keeps_flags(void);
+
 #ifdef __cplusplus
 }
 
@@ -42,6 +46,8 @@ namespace anysl::math {
   inline float name(float x, float y) { return anysl_math_##name##f(x, y); }                       \
   inline double name(double x, double y) { return anysl_math_##name(x, y); }
 #include <anysl/MathFunctions.def>
+
+inline bool keepsFlags() { return anysl_math_keeps_flags() != 0; }
 
 } // namespace anysl::math
 #endif

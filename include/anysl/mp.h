@@ -144,6 +144,8 @@ inline Mp copySign(const Mp &magnitude, const Mp &sign) {
 ANYSL_MP_UNARY(floorOf, anysl_mp_floor)
 ANYSL_MP_UNARY(ceilOf, anysl_mp_ceil)
 ANYSL_MP_UNARY(justBelow, anysl_mp_next_below)
+/// There are no flags to keep.
+inline Mp divisor(const Mp &x, bool) { return x; }
 inline Mp fusedMultiplyAdd(const Mp &a, const Mp &b, const Mp &c) {
   Mp result;
   anysl_mp_fma(&result, &a, &b, &c);

@@ -37,6 +37,11 @@ ANYSL_TIER double squareRoot(double x) { return __builtin_sqrt(x); }
 ANYSL_TIER float copySign(float x, float s) { return __builtin_copysignf(x, s); }
 ANYSL_TIER double copySign(double x, double s) { return __builtin_copysign(x, s); }
 
+/// x; where it is 0, ±1: what to divide by so that no flag is raised. In bits, because the optimizer
+/// takes `x == 0 ? 1 : x` out of a quotient again.
+ANYSL_TIER float nonZero(float x) { return fromBits(bitsOf(x) | (x == 0 ? bitsOf(1.0f) : 0)); }
+ANYSL_TIER double nonZero(double x) { return fromBits(bitsOf(x) | (x == 0 ? bitsOf(1.0) : 0)); }
+
 template <class T>
 inline constexpr T Infinity = T(__builtin_inf());
 template <class T>

@@ -149,7 +149,7 @@ ANYSL_TIER HalfAngle64 asinReduced64(double a) {
   double z = upper ? 0.5 - 0.5 * a : a * a;
   double root = squareRoot(z);
   Pair square = product(root, root);
-  double rootLow = ((z - square.high) - square.low) / (root == 0 ? 1 : 2 * root);
+  double rootLow = ((z - square.high) - square.low) / (2 * nonZero(root));
   double s = upper ? root : a;
   return {s, (upper ? rootLow : 0) + s * (z * horner(AsinCr, z)), upper};
 }
@@ -181,7 +181,7 @@ ANYSL_TIER Pair atanQuadrant64(double y, double x) {
   Pair difference = fastSum(-large, small), total = fastSum(large, small);
   Pair top = {turned ? difference.high : small, turned ? difference.low : 0};
   Pair bottom = {turned ? total.high : large, turned ? total.low : 0};
-  bottom.high = bottom.high == 0 ? 1 : bottom.high;
+  bottom.high = nonZero(bottom.high);
   Pair t = quotient(top, bottom);
   double z = t.high * t.high;
   t.low += t.high * (z * horner(AtanCr, z));

@@ -162,7 +162,7 @@ ANYSL_TIER double atanQuadrant(double y, double x) {
   bool turned = small > large * 0x1.a827999fcef32p-2;
   double top = turned ? small - large : small;
   double bottom = turned ? small + large : large;
-  double t = top / (bottom == 0 ? 1 : bottom);
+  double t = top / nonZero(bottom);
   double z = t * t;
   if constexpr (!C::exact) {
     double a = t * (z * horner<C::fusion>(C::atan, z) + 1);

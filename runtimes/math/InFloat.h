@@ -168,7 +168,7 @@ ANYSL_TIER float atan2InFloat(float y, float x) {
   float ay = magnitude(y), ax = magnitude(x);
   bool steep = ay > ax;
   float small = steep ? ax : ay, large = steep ? ay : ax;
-  float t = small / large;
+  float t = small / nonZero(large);
   t = small == large ? 1 : t; // infinite both
   t = large == 0 ? 0 : t;
   float a = atanUnit<C>(t);

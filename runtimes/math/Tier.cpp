@@ -23,4 +23,6 @@ extern "C" {
   }                                                                                                \
   double anysl_math_##name(double x, double y) { return anysl::tier::ANYSL_TIER_NAME::name(x, y); }
 #include <anysl/MathFunctions.def>
+
+int anysl_math_keeps_flags(void) { return anysl::tier::ANYSL_TIER_NAME::keepsFlags; }
 }

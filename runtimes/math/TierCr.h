@@ -14,6 +14,8 @@
 
 namespace anysl::tier::cr {
 
+inline constexpr int keepsFlags = 1;
+
 ANYSL_TIER float sin(float x) { return sinInDouble<LongPolynomials>(x); }
 ANYSL_TIER float cos(float x) { return cosInDouble<LongPolynomials>(x); }
 ANYSL_TIER float tan(float x) { return tanInDouble<LongPolynomials>(x); }

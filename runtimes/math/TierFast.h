@@ -13,6 +13,8 @@
 
 namespace anysl::tier::fast {
 
+inline constexpr int keepsFlags = 0;
+
 #define TIER_POLYNOMIALS CoarsePolynomials
 #include "runtimes/math/TierInFloat.inc"
 

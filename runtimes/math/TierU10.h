@@ -14,6 +14,8 @@
 
 namespace anysl::tier::u10 {
 
+inline constexpr int keepsFlags = 1;
+
 ANYSL_TIER float sin(float x) { return sinInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float cos(float x) { return cosInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float tan(float x) { return tanInDouble<ShortPolynomials>(x); }

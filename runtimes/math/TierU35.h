@@ -13,6 +13,8 @@
 
 namespace anysl::tier::u35 {
 
+inline constexpr int keepsFlags = 1;
+
 #define TIER_POLYNOMIALS MediumPolynomials
 #include "runtimes/math/TierInFloat.inc"
 

@@ -25,10 +25,11 @@ color xyzFromRgb(float r, g, b) {
                0.0193339 * r + 0.1191920 * g + 0.9503041 * b);
 }
 
+// The inverse, to the digits of double.
 color rgbFromXyz(float x, y, z) {
-  return color(3.24045483602 * x - 1.5371388501 * y - 0.498531546868 * z,
-               -0.969266389876 * x + 1.87601092884 * y + 0.0415560823467 * z,
-               0.0556434196042 * x - 0.204025854268 * y + 1.05722516246 * z);
+  return color(3.2404548360214083 * x - 1.5371388501025751 * y - 0.4985315468684809 * z,
+               -0.9692663898756537 * x + 1.8760109288424913 * y + 0.041556082346673524 * z,
+               0.05564341960421366 * x - 0.20402585426769815 * y + 1.0572251624579287 * z);
 }
 
 color fromRgb(string space; color c) {
@@ -65,9 +66,9 @@ color toRgb(string space; color c) {
     float range = y * (1 - abs(2 * z - 1));
     result = color(z) + range * (fromHue(x) - color(0.5));
   } else if (space == "yiq" || space == "YIQ") {
-    result = color(1 * x + 0.956295719759 * y + 0.621024416465 * z,
-                   1 * x - 0.272122099319 * y - 0.647380596826 * z,
-                   1 * x - 1.10698901674 * y + 1.70461499836 * z);
+    result = color(1.0 * x + 0.9562957197589484 * y + 0.6210244164652612 * z,
+                   1.0 * x - 0.2721220993185105 * y - 0.6473805968256952 * z,
+                   1.0 * x - 1.1069890167364904 * y + 1.7046149983646484 * z);
   } else if (space == "xyz" || space == "XYZ") {
     result = rgbFromXyz(x, y, z);
   } else if (space == "xyY") {

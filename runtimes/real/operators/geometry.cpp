@@ -31,7 +31,9 @@ void anysl_normalize(anysl_vector *result, const anysl_vector *v) {
       },
       *v);
   anysl_float length = math::sqrt(dot(scaled, scaled));
-  *result = scaled * select(length == 0, anysl_float(0), math::divide(anysl_float(1), length));
+  auto isZero = length == 0;
+  anysl_float inverse = math::divide(anysl_float(1), divisor(length, isZero));
+  *result = scaled * select(isZero, anysl_float(0), inverse);
 }
 
 /// L.A >= cos(angle) |L| |A|, which needs neither a division nor an arc cosine.

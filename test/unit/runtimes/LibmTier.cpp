@@ -32,3 +32,5 @@ using namespace std;
   }                                                                                                \
   extern "C" double anysl_math_##name(double x, double y) { return name(x, y); }
 #include <anysl/MathFunctions.def>
+
+extern "C" int anysl_math_keeps_flags(void) { return 1; }
