@@ -221,7 +221,7 @@ inline Dual<Real> justBelow(const Dual<Real> &x) {
 }
 template <typename Real>
 inline Dual<Real> divisor(const Dual<Real> &x, bool isNothing) {
-  return withValue(divisor(x.value, isNothing), x);
+  return {divisor(x.value, isNothing), x.u, x.v};
 }
 template <typename Real>
 inline Dual<Real> fusedMultiplyAdd(const Dual<Real> &a, const Dual<Real> &b, const Dual<Real> &c) {
