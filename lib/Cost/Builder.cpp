@@ -8,12 +8,14 @@
 #include "lib/Cost/Builder.h"
 #include "lib/Cost/Mixtures.h"
 #include "lib/Emit/Emit.h"
+#include "lib/Support/Output.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/IR/Instruction.h"
 #include "llvm/IR/LLVMContext.h"
 #include "llvm/Support/FileSystem.h"
+#include "llvm/Support/FormatVariadic.h"
 #include "llvm/Support/MD5.h"
 #include "llvm/Support/Path.h"
 
@@ -37,6 +39,24 @@ std::string codeOf(const Module &module) {
 
 } // namespace
 
+bool writeChoiceFile(DiagnosticEngine &diags, StringRef path, const Choice &choice,
+                     json::Object more) {
+  json::Array sites;
+  for (const auto &[site, tier] : choice.sites)
+    sites.push_back(json::Object{{"file", site.position.file},
+                                 {"line", site.position.line},
+                                 {"column", site.position.column},
+                                 {"function", site.function},
+                                 {"tier", tier}});
+  more["version"] = 1;
+  more["math"] = choice.math;
+  more["sites"] = std::move(sites);
+  return writeFile(diags, path, [&](raw_pwrite_stream &out) {
+    out << formatv("{0:2}\n", json::Value(std::move(more)));
+    return Error::success();
+  });
+}
+
 Builder::Builder(DiagnosticEngine &diags, TargetMachine &target, std::vector<std::string> files,
                  link::LinkOptions given)
     : diags(diags), target(target), inputs(std::move(files)), options(std::move(given)) {
@@ -51,16 +71,19 @@ Builder::Builder(DiagnosticEngine &diags, TargetMachine &target, std::vector<std
 Builder::~Builder() { sys::fs::remove_directories(temporary); }
 
 std::string Builder::runtimeFor(const std::string &real) const {
-  if (!options.runtime.empty())
+  if (!options.runtime.empty() && real != oracle())
     return options.runtime;
   return sys::fs::exists(options.resourceDir + "/runtime/packet." + real + ".bc") ? "packet"
                                                                                   : "scalar";
 }
 
+bool Builder::works(const std::string &real) const {
+  return sys::fs::exists(options.resourceDir + "/runtime/" + runtimeFor(real) + "." + real + ".bc");
+}
+
+// The truth does not depend on the runtime that is asked for.
 std::string Builder::oracle() const {
-  return sys::fs::exists(options.resourceDir + "/runtime/" + runtimeFor("mp") + ".mp.bc")
-             ? "mp"
-             : "double";
+  return sys::fs::exists(options.resourceDir + "/runtime/scalar.mp.bc") ? "mp" : "double";
 }
 
 std::string Site::name() const {
@@ -81,14 +104,14 @@ std::string Builder::newLibrary() {
   return path.str().str();
 }
 
-std::string Builder::buildSpecially(const std::string &real,
+std::string Builder::buildSpecially(const std::string &real, const std::string &resourceDir,
                                     function_ref<void(Module &, const link::Report &)> change) {
   link::LinkOptions wanted = options;
+  wanted.resourceDir = resourceDir;
   wanted.real = real;
   wanted.math = tiers()[0].str();
   wanted.runtime = runtimeFor(real);
   wanted.widths = {1};
-  // keepMathCalls
   LLVMContext context;
   auto linked = link::linkShaders(diags, context, inputs, wanted, target);
   if (!linked)
@@ -108,6 +131,13 @@ const Build &Builder::build(const std::string &real, const Choice &choice) {
   link::LinkOptions wanted = options;
   wanted.real = real;
   wanted.math = choice.math;
+  if (choice.isMixture() && !options.widths.empty())
+    wanted.widths = {*llvm::max_element(options.widths)};
+  if (!choice.sites.empty()) {
+    wanted.mathChoices = temporary + "/choices.json";
+    if (!writeChoiceFile(diags, wanted.mathChoices, choice, {}))
+      throw Failed();
+  }
   wanted.runtime = runtimeFor(real);
   if (real == "mp") // one point at a time
     wanted.widths = {1};

@@ -10,6 +10,7 @@
 
 #include "lib/Link/Linker.h"
 #include "lib/Support/Diagnostics.h"
+#include "llvm/Support/JSON.h"
 #include "llvm/Target/TargetMachine.h"
 #include <map>
 
@@ -35,9 +36,16 @@ struct Choice {
 
   /// Equal for equal choices.
   std::string name() const;
+  bool isMixture() const { return !sites.empty() || llvm::StringRef(math).contains(','); }
 };
 
-/// A shader library for one real and one choice of tiers, with all widths.
+/// Writes a file that `anysl-link --math-choices` reads, with more keys that it passes over. False,
+/// with an error, if that is not possible.
+bool writeChoiceFile(DiagnosticEngine &diags, llvm::StringRef path, const Choice &choice,
+                     llvm::json::Object more);
+
+/// A shader library for one real and one choice of tiers, with all widths; of a mixture of tiers,
+/// the widest only.
 struct Build {
   std::string real;
   Choice choice;
@@ -63,17 +71,19 @@ public:
   /// Links, unless that has been done before. Throws Failed.
   const Build &build(const std::string &real, const Choice &choice);
 
-  /// Links the exact tier for one point at a time, with elementary functions still called by their
-  /// names, and lets the code be changed before it is written. Gives the library's file. Throws
-  /// Failed.
+  /// Links the exact tier, out of a folder of resources of its own, for one point at a time, and
+  /// lets the code be changed before it is written. Gives the library's file. Throws Failed.
   std::string
-  buildSpecially(const std::string &real,
+  buildSpecially(const std::string &real, const std::string &resourceDir,
                  llvm::function_ref<void(llvm::Module &module, const link::Report &report)> change);
 
+  const std::string &resourceDir() const { return options.resourceDir; }
   const std::vector<std::string> &files() const { return inputs; }
   const std::string &folder() const { return temporary; }
   /// The real whose results count as the truth: `mp`, else `double`.
   std::string oracle() const;
+  /// Whether there is a runtime for a real.
+  bool works(const std::string &real) const;
 
 private:
   std::string newLibrary();

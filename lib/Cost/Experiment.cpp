@@ -72,7 +72,7 @@ void Experiment::addMixtures(ShaderCost &cost) {
   size_t done = 0;
   for (const std::string &function : cost.functions)
     for (StringRef tier : tiers().drop_front()) {
-      progress(0.45 + 0.2 * double(done++) / double(cost.functions.size() * (tiers().size() - 1)),
+      progress(0.45 + 0.15 * double(done++) / double(cost.functions.size() * (tiers().size() - 1)),
                function + "=" + tier.str());
       Mixture mixture{{{function, tier.str()}}};
       addVariants(real, mixture.name(), {width}, singles);
@@ -81,7 +81,7 @@ void Experiment::addMixtures(ShaderCost &cost) {
   Measurement exact;
   exact.variant = {real, exactName, width};
   singles.push_back(exact);
-  measureAll(singles, 0.65, 0.8);
+  measureAll(singles, 0.6, 0.7);
   double exactTime = singles.back().median;
   singles.pop_back();
 
@@ -101,6 +101,45 @@ void Experiment::addMixtures(ShaderCost &cost) {
   }
   cost.variants.insert(cost.variants.end(), singles.begin(), singles.end());
   cost.variants.insert(cost.variants.end(), greedy.begin(), greedy.end());
+}
+
+void Experiment::addSites(ShaderCost &cost) {
+  const std::string real = "float", exactName = tiers()[0].str();
+  if (!is_contained(settings.reals, real) || cost.functions.empty())
+    return;
+  Bench::Loaded &exact = bench.load(real, {exactName});
+  unsigned width = exact.widths().back();
+  Timing timing{settings.rounds, settings.secondsPerSample,
+                [&](double share, const std::string &what) { progress(0.7 + 0.2 * share, what); }};
+  Sites sites({&bench}, real, width, timing);
+  std::vector<SiteStudy> studies = sites.study();
+  double limit = nearFloor * bench.error(exact, width).rms;
+  Choice chosen = sites.choose(studies, [&](Bench &, Bench::Loaded &loaded) {
+    return bench.error(loaded, width).rms <= limit;
+  });
+  double exactTime = sites.time({{exactName}}).front(), squares = 0;
+  auto cheapest = [](const SiteStudy &study) {
+    const SiteOption *best = nullptr;
+    for (const SiteOption &option : study.options)
+      if (!best || option.saved > best->saved)
+        best = &option;
+    return best;
+  };
+  for (const SiteStudy &study : studies)
+    if (const SiteOption *option = cheapest(study))
+      squares += option->added.rms * option->added.rms;
+  for (SiteStudy &study : studies) {
+    ShaderCost::SiteCost &site = cost.sites.emplace_back();
+    site.chosen = exactName;
+    for (const auto &[place, tier] : chosen.sites)
+      if (place.name() == study.site.name())
+        site.chosen = tier;
+    if (const SiteOption *option = cheapest(study)) {
+      site.timeShare = option->saved / exactTime;
+      site.errorShare = squares > 0 ? option->added.rms * option->added.rms / squares : 0;
+    }
+    site.study = std::move(study);
+  }
 }
 
 ShaderCost Experiment::run() {
@@ -125,8 +164,18 @@ ShaderCost Experiment::run() {
   cost.points = first.grid->pointCount();
   for (const shade::Result &result : bench.results(first, first.widths().front()))
     cost.results.push_back(result.name);
+  for (const link::ShaderReport &report : first.build->report.shaders)
+    if (report.name == bench.shader()) {
+      std::vector<std::string> functions;
+      for (const link::MathCall &call : report.mathCalls)
+        for (const auto &[function, tier] : call.functions)
+          functions.push_back(function);
+      cost.functions = functionsWithTiers(functions);
+    }
   addMixtures(cost);
-  measureAll(cost.variants, 0.8, 1);
+  if (settings.sites)
+    addSites(cost);
+  measureAll(cost.variants, 0.9, 1);
   return cost;
 }
 

@@ -21,10 +21,14 @@
 #ifndef ANYSL_LIB_COST_EXPERIMENT_H
 #define ANYSL_LIB_COST_EXPERIMENT_H
 
-#include "lib/Cost/Bench.h"
+#include "lib/Cost/Sites.h"
 #include <functional>
 
 namespace anysl::cost {
+
+/// A variant whose RMS error is within this factor of that of the arithmetic counts as on its
+/// floor.
+constexpr double nearFloor = 1.1;
 
 struct Variant {
   std::string real, math;
@@ -49,6 +53,7 @@ struct Settings {
   shade::GridOptions grid;
   std::vector<std::string> reals = {"float", "double"};
   std::vector<unsigned> widths = {1, 4, 8, 16};
+  bool sites = true; ///< study each call of a function
   int rounds = 15;
   double secondsPerSample = 2e-3;
 };
@@ -61,6 +66,15 @@ struct ShaderCost {
   std::vector<std::string> results;   ///< names of the outputs that are compared
   std::vector<std::string> functions; ///< of which the tiers differ
   std::vector<Measurement> variants;
+  /// Every call of such a function in the shader, for float at the widest width.
+  struct SiteCost {
+    SiteStudy study;
+    std::string chosen; ///< its tier in the mixture that stays near the floor of the arithmetic
+    /// Of the time of the exact tier, what its cheapest tier saves; and of the squares of all
+    /// sites' errors in their cheapest tiers, its own part.
+    double timeShare = 0, errorShare = 0;
+  };
+  std::vector<SiteCost> sites;
 };
 
 /// Measures one shader of a builder's files.
@@ -80,6 +94,7 @@ private:
   void addVariants(const std::string &real, const std::string &math,
                    const std::vector<unsigned> &widths, std::vector<Measurement> &list);
   void addMixtures(ShaderCost &cost);
+  void addSites(ShaderCost &cost);
 
   Bench bench;
   Settings settings;

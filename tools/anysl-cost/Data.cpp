@@ -52,6 +52,28 @@ json::Value toJson(const Measurement &measurement, bool onFront) {
 
 } // namespace
 
+static json::Value toJson(const ShaderCost::SiteCost &site) {
+  json::Array options, arguments;
+  for (const SiteOption &option : site.study.options)
+    options.push_back(json::Object{
+        {"tier", option.tier}, {"savedNsPerPoint", option.saved}, {"added", toJson(option.added)}});
+  const SiteArguments &seen = site.study.arguments;
+  for (unsigned i = 0; i < seen.count; ++i)
+    arguments.push_back(json::Array{number(seen.low[i]), number(seen.high[i])});
+  const FilePosition &position = site.study.site.position;
+  return json::Object{{"file", position.file},
+                      {"line", position.line},
+                      {"column", position.column},
+                      {"function", site.study.site.function},
+                      {"op", site.study.op},
+                      {"calls", int64_t(seen.calls)},
+                      {"arguments", std::move(arguments)},
+                      {"chosen", site.chosen},
+                      {"timeShare", site.timeShare},
+                      {"errorShare", site.errorShare},
+                      {"options", std::move(options)}};
+}
+
 std::vector<size_t> paretoFront(const ShaderCost &cost) {
   std::vector<plot::Point> points;
   for (const Measurement &measurement : cost.variants)
@@ -66,6 +88,9 @@ json::Value toJson(const Report &report) {
     json::Array variants;
     for (size_t i = 0; i < cost.variants.size(); ++i)
       variants.push_back(toJson(cost.variants[i], is_contained(front, i)));
+    json::Array sites;
+    for (const ShaderCost::SiteCost &site : cost.sites)
+      sites.push_back(toJson(site));
     shaders.push_back(json::Object{{"shader", cost.shader},
                                    {"kind", cost.kind},
                                    {"file", cost.file},
@@ -74,7 +99,8 @@ json::Value toJson(const Report &report) {
                                    {"results", json::Array(cost.results)},
                                    {"functions", json::Array(cost.functions)},
                                    {"summary", json::Array(summary(cost))},
-                                   {"variants", std::move(variants)}});
+                                   {"variants", std::move(variants)},
+                                   {"sites", std::move(sites)}});
   }
   return json::Object{{"version", 1},
                       {"cpu", report.cpu},

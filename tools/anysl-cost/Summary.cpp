@@ -17,9 +17,6 @@ using namespace llvm;
 namespace anysl::cost {
 namespace {
 
-/// How close to the floor of the arithmetic counts as on it.
-constexpr double nearFloor = 1.1;
-
 std::string ratio(double value) { return formatv("{0:f1}", value).str(); }
 std::string small(double value) { return formatv("{0}", format("%.2g", value)).str(); }
 

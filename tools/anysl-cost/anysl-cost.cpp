@@ -47,6 +47,10 @@ cl::opt<int> rounds("rounds", cl::desc("How often each variant is timed (default
                     cl::init(15), cl::value_desc("N"), cl::cat(category));
 cl::opt<std::string> cpu("mcpu", cl::desc("The processor, as LLVM names it (default: native)"),
                          cl::init("native"), cl::value_desc("CPU"), cl::cat(category));
+cl::opt<bool> noSites("no-sites",
+                      cl::desc("Do not study each call of a function by itself, which takes a "
+                               "build for each and tier"),
+                      cl::cat(category));
 cl::opt<bool> quiet("quiet", cl::desc("No progress"), cl::cat(category));
 
 /// What grids of points have in common for all programs, with help of its own.
@@ -77,6 +81,7 @@ Settings makeSettings() {
     settings.reals.assign(reals.begin(), reals.end());
   if (!widths.empty())
     settings.widths.assign(widths.begin(), widths.end());
+  settings.sites = !noSites;
   settings.rounds = std::max(1, int(rounds));
   return settings;
 }

@@ -10,6 +10,7 @@
 #include "lib/Link/Linker.h"
 #include "lib/Support/Output.h"
 #include "lib/Support/Tool.h"
+#include "tools/anysl-link/WithinError.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/IR/LLVMContext.h"
 #include "llvm/Support/CommandLine.h"
@@ -67,6 +68,21 @@ cl::opt<std::string> decline("decline",
                              cl::cat(category));
 cl::opt<bool> checkNaN("check-nan", cl::desc("Let the host know where a number stops being finite"),
                        cl::cat(category));
+cl::opt<double> maxError("max-error",
+                         cl::desc("Measure which tiers, place by place, and which of float and "
+                                  "double are the fastest whose results are nowhere further than E "
+                                  "from the exact ones on the inputs, and link those"),
+                         cl::value_desc("E"), cl::cat(category));
+cl::opt<std::string>
+    inputPoints("inputs",
+                cl::desc("The inputs of --max-error: points that anysl-render "
+                         "--record wrote (default: a grid of 64 x 64, u and v from "
+                         "0 to 1)"),
+                cl::value_desc("FILE"), cl::cat(category));
+cl::opt<std::string> choiceFile("write-choices",
+                                cl::desc("Where --max-error writes its choice, for --math-choices "
+                                         "(default: the output with .choices.json)"),
+                                cl::value_desc("FILE"), cl::cat(category));
 cl::opt<std::string> reportFile("report", cl::desc("Write what was done to FILE as JSON"),
                                 cl::value_desc("FILE"), cl::cat(category));
 cl::opt<bool> timeStages("time-stages", cl::desc("Print how long each stage took"),
@@ -143,6 +159,8 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
     diags.error("--math-choices says what --math does; give one of them");
     return false;
   }
+  if (!mathChoices.empty())
+    adoptRealOf(mathChoices, real.getNumOccurrences(), runtime.getNumOccurrences(), options);
   options.precision = precision;
   options.checkNaN = checkNaN;
   options.params.assign(params.begin(), params.end());
@@ -168,11 +186,26 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
 
   LLVMContext context;
   std::vector<std::string> files(inputs.begin(), inputs.end());
+  std::string path = output.empty() ? defaultOutput(files[0], *kind) : std::string(output);
+  if (maxError.getNumOccurrences()) {
+    if (math.getNumOccurrences() || !mathChoices.empty()) {
+      diags.error("--max-error chooses what --math and --math-choices say; give one of them");
+      return false;
+    }
+    WithinError wanted{maxError, inputPoints, choiceFile, real.getNumOccurrences() > 0,
+                       runtime.getNumOccurrences() > 0};
+    if (wanted.choiceFile.empty())
+      wanted.choiceFile = path + ".choices.json";
+    if (!chooseWithinError(diags, files, *target, wanted, options))
+      return false;
+  } else if (!inputPoints.empty() || !choiceFile.empty()) {
+    diags.error("--inputs and --write-choices go with --max-error");
+    return false;
+  }
   auto result = link::linkShaders(diags, context, files, options, *target);
   if (!result)
     return !diags.hasErrors();
 
-  std::string path = output.empty() ? defaultOutput(files[0], *kind) : std::string(output);
   {
     link::StageTimer timer(result->report, "emit");
     if (!emitModule(diags, *result->module, *target, *kind, path))

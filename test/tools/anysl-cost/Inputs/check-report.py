@@ -13,6 +13,8 @@ folder = sys.argv[1]
 report = json.load(open(folder + "/report.json"))
 tiers = ["cr", "u10", "u35", "fast"]
 wrong = []
+# What the functions of wavy.sl see where s and t go from 0 to 1.
+ARGUMENTS = {"sin": [(0, 9)], "cos": [(0, 9)], "exp": [(-3, 0)], "pow": [(math.exp(-3), 1), (0.7, 0.7)]} if "--inexact" in sys.argv else {}
 
 
 def expect(holds, what):
@@ -70,6 +72,26 @@ def check_shader(shader):
         beaten = any(cost(o)[0] <= cost(v)[0] and cost(o)[1] <= cost(v)[1] and cost(o) != cost(v) for o in variants)
         expect(v["onFront"] != beaten or sum(cost(o) == cost(v) for o in variants) > 1, v["name"] + ": on the front unless another is better")
     expect(front, "there is a front")
+    mixtures = [v for v in variants if "," in v["math"]]
+    for v in mixtures:
+        worst = max(find["float", tier, 1]["tier"]["rms"] for tier in tiers)
+        expect(v["tier"]["rms"] <= 2 * worst, v["name"] + ": a mixture is no worse than its worst part, twice over")
+    sites = shader["sites"]
+    expect("--inexact" not in sys.argv or (mixtures and len(sites) >= 4), "there are mixtures, and sites")
+    for site in sites:
+        place = f"{site['file']}:{site['line']} {site['function']}"
+        line = open(site["file"]).read().splitlines()[site["line"] - 1]
+        expect(site["function"] in line, place + ": the line calls the function")
+        expect(site["chosen"] in tiers and site["function"] in shader["functions"], place + ": of a tier")
+        expect(0 <= site["errorShare"] <= 1 and site["timeShare"] < 1, place + ": shares")
+        if site["function"] in ARGUMENTS:
+            expect(site["calls"] == shader["points"], place + ": is called once a point")
+            for seen, known in zip(site["arguments"], ARGUMENTS[site["function"]], strict=True):
+                expect(all(math.isclose(a, b, rel_tol=0.02, abs_tol=0.02) for a, b in zip(seen, known)), f"{place}: sees {known}, not {seen}")
+        for option in site["options"]:
+            expect(option["tier"] in tiers[1:] and option["added"]["rms"] >= 0, place + ": options")
+    total = sum(site["errorShare"] for site in sites)
+    expect(not sites or total == 0 or math.isclose(total, 1, rel_tol=1e-9), "shares of the error add up")
 
 
 class Page(html.parser.HTMLParser):
