@@ -106,6 +106,7 @@ static StringRef differentiable(StringRef real) {
       .Case("mp", "dualmp")
       .Case("dual", "dual2")
       .Case("dualdouble", "dual2double")
+      .Case("dualmp", "dual2mp")
       .Default("");
 }
 

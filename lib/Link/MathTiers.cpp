@@ -128,6 +128,9 @@ void separateTier(Session &session, StringRef tier, Module &module) {
         value->setName(ownName(symbol, tier));
       functions.insert(value->getName());
     }
+  // Operators guard their functions all alike, as the tier for all that is not named wants it.
+  if (tier == session.math.tier)
+    functions.insert("anysl_math_keeps_flags");
   // Tiers share the names of what their functions are made from, but not always its meaning.
   for (GlobalObject &object : module.global_objects())
     if (!object.isDeclaration() && !functions.contains(object.getName())) {
