@@ -3,7 +3,7 @@
 // RUN: anysl-link %t.stc.bc --width 1 -o %t.so
 // RUN: anysl-info %t.so | FileCheck %s
 // RUN: anysl-info %t.so --json | FileCheck %s --check-prefix JSON
-// CHECK: uniform string layers[32] = {"", "",
+// CHECK: uniform string layers[64] = {"", "",
 // CHECK: uniform string one = ""
 // JSON: "name": "layers"
 // JSON: "default": [
