@@ -63,4 +63,6 @@ void anysl_Dv_color(anysl_color *result, const anysl_color *c) { *result = each(
 void anysl_Du_vector(anysl_vector *result, const anysl_vector *p) { *result = each(byU, *p); }
 void anysl_Dv_vector(anysl_vector *result, const anysl_vector *p) { *result = each(byV, *p); }
 
-void anysl_detach_float(anysl_float *result, const anysl_float *x) { *result = valueOf(*x); }
+void anysl_detach_float(anysl_float *result, const anysl_float *x) {
+  *result = withDerivatives<anysl_float>(valueOf(*x), 0, 0);
+}
