@@ -106,7 +106,6 @@ static StringRef differentiable(StringRef real) {
       .Case("mp", "dualmp")
       .Case("dual", "dual2")
       .Case("dualdouble", "dual2double")
-      .Case("dualmp", "dual2mp")
       .Default("");
 }
 

@@ -31,7 +31,8 @@ template <typename Real>
 anysl_float asNumber(const Real &x) {
   constexpr int order = derivativeOrder<anysl_float>;
   Expansion<PlainOf<anysl_float>> result = {finite(valueOf(x)), 0, 0, 0, 0, 0};
-  if constexpr (order == 1)
+  // Of an arithmetic that is calls nothing goes away, and each would look as if somebody read it.
+  if constexpr (order == 1 && !isScalarOnly<Real>)
     result.u = result.v = anysl_unknown_derivative();
   if constexpr (order == 2) {
     result.u = finite(derivativeU(x)), result.v = finite(derivativeV(x));
