@@ -11,16 +11,17 @@
 
 #include "tools/anysl-render/Scene.h"
 
+#include <optional>
+
 namespace anysl::render {
 
 /// The circumstances of the points that ask; all null while parameters' defaults are computed.
 struct Asker {
   const ShadingGroup *group = nullptr;
-  const Shader *volume = nullptr; ///< that the rays came through, or null
-  const AnyslShadeArgs *surface =
-      nullptr;              ///< what the surface was shaded with, asked for by its volume
-  unsigned depth = 0;       ///< how many traced rays lie between the eye and the points
-  const Hit *hit = nullptr; ///< where the point that asks lies, or null
+  const Shader *volume = nullptr;          ///< that the rays came through, or null
+  const AnyslShadeArgs *surface = nullptr; ///< what it was shaded with, for its volume
+  unsigned depth = 0;     ///< how many traced rays lie between the eye and the points
+  std::optional<Hit> hit; ///< where the point that asks lies, if it is one
 };
 
 /// The service `query`: `shader` asks.

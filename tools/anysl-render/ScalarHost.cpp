@@ -10,10 +10,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-render/Host.h"
+#include "tools/anysl-render/HostServices.h"
 #include "tools/anysl-render/ParameterArrays.h"
-#include "tools/anysl-render/Pictures.h"
-#include "tools/anysl-render/Queries.h"
 
 #include <algorithm>
 #include <optional>
@@ -34,6 +32,8 @@ struct PointBatch {
   const Shader *volume = nullptr; ///< that the ray came through, or null
   const Hit *hit = nullptr;
   const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
+
+  Asker asker(uint32_t) const { return {group, volume, surface, depth, *hit}; }
 };
 
 /// What shaders make of a point.
@@ -82,61 +82,17 @@ private:
   static void serveHits(void *, const AnyslShadeArgs *, uint32_t, uint32_t, uint32_t,
                         const float *const *, const float *const *, const float *,
                         const AnyslHits *);
-  /// A lookup in a picture, while the clock of shading stands. There is no batch where defaults are
-  /// computed.
-  template <AnyslTextureService *service>
-  static void outsideShading(void *renderer, const AnyslShadeArgs *args, uint32_t first,
-                             uint32_t width, uint32_t mask, const AnyslTextureRequest *request,
-                             const AnyslTexturePoints *points, float *result) {
-    std::optional<ServiceScope> scope;
-    if (args->batch)
-      scope.emplace(*static_cast<PointBatch *>(args->batch)->state);
-    service(renderer, args, first, width, mask, request, points, result);
-  }
-  static int serveMatrix(void *renderer, const AnyslShadeArgs *args, const char *from,
-                         const char *to, double *matrix) {
-    const auto *batch = static_cast<const PointBatch *>(args->batch);
-    return serveSpaceMatrix(renderer, batch ? &batch->group->object : nullptr, from, to, matrix);
-  }
-  static int serveNamed(void *renderer, const AnyslShadeArgs *args, uint32_t point,
-                        const AnyslQuery *query, AnyslCell *value) {
-    return serveQuery(*static_cast<const Shader *>(renderer), askerOf(args), args, point, *query,
-                      value);
-  }
-  static int serveCall(void *renderer, const AnyslShadeArgs *args, uint32_t point,
-                       const char *handle, AnyslMessage *message) {
-    return serveMethod(*static_cast<const Shader *>(renderer), askerOf(args), args, point, handle,
-                       *message);
-  }
-  static const char *serveName(void *renderer, const AnyslShadeArgs *args, const char *category,
-                               uint32_t index) {
-    return serveShaderName(*static_cast<const Shader *>(renderer), askerOf(args), category, index);
-  }
-  /// What is known of the point that asks: nothing where defaults are computed.
-  static Asker askerOf(const AnyslShadeArgs *args) {
-    const auto *batch = static_cast<const PointBatch *>(args->batch);
-    return batch ? Asker{batch->group, batch->volume, batch->surface, batch->depth, batch->hit}
-                 : Asker();
-  }
   static const AnyslServices services;
 
   Scene theScene;
 };
 
 const AnyslServices ScalarHost::services = [] {
-  AnyslServices offered = {};
-  offered.struct_size = sizeof offered;
+  AnyslServices offered = servicesOfBatch<PointBatch>();
   offered.trace = serveTrace;
   offered.trace_distance = serveDistance;
   offered.transmission = serveTransmission;
-  offered.space_matrix = serveMatrix;
-  offered.texture = outsideShading<serveTexture>;
-  offered.environment = outsideShading<serveEnvironment>;
-  offered.shadow = outsideShading<serveShadow>;
   offered.trace_hit = serveHits;
-  offered.query = serveNamed;
-  offered.call_method = serveCall;
-  offered.shader_name = serveName;
   return offered;
 }();
 

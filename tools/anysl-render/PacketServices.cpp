@@ -1,0 +1,173 @@
+//===-- tools/anysl-render/PacketServices.cpp - what shaders ask of packets' host -------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/HostServices.h"
+#include "tools/anysl-render/PacketHost.h"
+
+#include <algorithm>
+#include <bit>
+
+using namespace anysl::render;
+
+namespace {
+
+void setLane(float *vectors, uint32_t width, uint32_t i, Vec3f value) {
+  for (uint32_t k = 0; k < 3; ++k)
+    vectors[k * width + i] = value[int(k)];
+}
+
+/// The rays that the points of `mask` ask for, close together; a ray's target is its lane.
+template <typename Seed>
+RayList gather(PacketBatch &batch, const AskedRays &asked, uint32_t first, uint32_t width,
+               uint32_t mask, const Seed &seed) {
+  RayList rays(batch.state->arena, width);
+  for (uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+    uint32_t i = uint32_t(std::countr_zero(rest));
+    uint32_t itsSeed = seed(first + i);
+    if (asked.valid[i])
+      rays.add(asked.ray(i, itsSeed), i);
+  }
+  return rays;
+}
+
+void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                      uint32_t mask, const float *P, const float *R, float *color) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  std::fill_n(color, 3 * width, 0.0f);
+  AskedRays asked;
+  makeTraceRays(*batch.starts, first, width, P, R, asked);
+  RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
+    return hash(batch.seeds[point], ++batch.rays[point]);
+  });
+  if (rays.count == 0 || batch.depth >= batch.host->scene().description.maxDepth)
+    return;
+  state.counts.traceRays += rays.count;
+  Radiance *radiance = state.arena.allocate<Radiance>(width);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    rays.medium[i] =
+        batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
+  batch.host->follow(state, rays, TraceRays, batch.depth + 1, maxLayers, radiance, nullptr);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    setLane(color, width, rays.target[i], radiance[rays.target[i]].color);
+}
+
+void serveDistancePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                         uint32_t mask, const float *P, const float *R, float *distance) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  std::fill_n(distance, width, 1e30f);
+  AskedRays asked;
+  makeTraceRays(*batch.starts, first, width, P, R, asked);
+  RayList rays = gather(batch, asked, first, width, mask, [](uint32_t) { return 0u; });
+  state.counts.traceRays += rays.count;
+  batch.host->nearest(rays, TraceRays);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    distance[rays.target[i]] = rays.t[i];
+}
+
+void serveTransmissionPacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                             uint32_t mask, const float *from, const float *to, float *color) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  std::fill_n(color, 3 * width, 1.0f);
+  AskedRays asked;
+  makeShadowRays(*batch.starts, first, width, from, to, asked);
+  RayList rays = gather(batch, asked, first, width, mask, [](uint32_t) { return 0u; });
+  Vec3f *passing = state.arena.allocate<Vec3f>(width);
+  batch.host->transmission(state, rays, passing);
+  for (uint32_t i = 0; i < rays.count; ++i)
+    setLane(color, width, rays.target[i], passing[rays.target[i]]);
+}
+
+void serveHits(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32_t mask,
+               const float *const *P, const float *const *R, const float *reach,
+               const AnyslHits *hits) {
+  auto &batch = *static_cast<PacketBatch *>(args->batch);
+  ThreadState &state = *batch.state;
+  ServiceScope service(state);
+  Arena::Scope scope(state.arena);
+  float from[3 * AskedRays::most], along[3 * AskedRays::most];
+  for (uint32_t k = 0; k < 3; ++k) {
+    std::copy_n(P[k], width, from + k * width);
+    std::copy_n(R[k], width, along + k * width);
+  }
+  AskedRays asked;
+  makeTraceRays(*batch.starts, first, width, from, along, asked);
+  for (uint32_t i = 0; i < width; ++i)
+    limitReach(asked, i, reach[i]);
+  RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
+    return hash(batch.seeds[point], ++batch.rays[point]);
+  });
+  state.counts.traceRays += rays.count;
+  const Scene &scene = batch.host->scene();
+  // Beyond the deepest level surfaces are black.
+  bool shades = hits->shades && batch.depth < scene.description.maxDepth;
+  Radiance *radiance = state.arena.allocate<Radiance>(width);
+  if (shades) {
+    for (uint32_t i = 0; i < rays.count; ++i)
+      rays.medium[i] =
+          batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
+    batch.host->follow(state, rays, TraceRays, batch.depth + 1, 1, radiance, nullptr, hits->values);
+  } else {
+    std::fill_n(radiance, width, Radiance{Vec3f(), Vec3f(1), 1});
+    batch.host->nearest(rays, TraceRays);
+    for (uint32_t i = 0; hits->values && i < rays.count; ++i)
+      answerValues(hits->values[rays.target[i]], {&scene, rays.hitOf(i), rays.rayOf(i)});
+  }
+  for (uint32_t i = 0; i < rays.count; ++i)
+    storeHit(scene.geometry(), rays.hitOf(i), rays.rayOf(i), radiance[rays.target[i]],
+             rays.target[i], *hits);
+}
+
+// A shader's scalar code (width 1) asks for one point at a time.
+void serveTrace(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *P,
+                const double *R, double *color) {
+  float from[3] = {float(P[0]), float(P[1]), float(P[2])},
+        along[3] = {float(R[0]), float(R[1]), float(R[2])};
+  float result[3];
+  serveTracePacket(renderer, args, point, 1, 1, from, along, result);
+  std::copy_n(result, 3, color);
+}
+
+double serveDistance(void *renderer, const AnyslShadeArgs *args, uint32_t point, const double *P,
+                     const double *R) {
+  float from[3] = {float(P[0]), float(P[1]), float(P[2])},
+        along[3] = {float(R[0]), float(R[1]), float(R[2])};
+  float result;
+  serveDistancePacket(renderer, args, point, 1, 1, from, along, &result);
+  return result;
+}
+
+void serveTransmission(void *renderer, const AnyslShadeArgs *args, uint32_t point,
+                       const double *from, const double *to, double *color) {
+  float begin[3] = {float(from[0]), float(from[1]), float(from[2])},
+        end[3] = {float(to[0]), float(to[1]), float(to[2])};
+  float result[3];
+  serveTransmissionPacket(renderer, args, point, 1, 1, begin, end, result);
+  std::copy_n(result, 3, color);
+}
+
+} // namespace
+
+const AnyslServices anysl::render::packetServices = [] {
+  AnyslServices offered = servicesOfBatch<PacketBatch>();
+  offered.trace = serveTrace;
+  offered.trace_packet = serveTracePacket;
+  offered.trace_distance = serveDistance;
+  offered.trace_distance_packet = serveDistancePacket;
+  offered.transmission = serveTransmission;
+  offered.transmission_packet = serveTransmissionPacket;
+  offered.trace_hit = serveHits;
+  return offered;
+}();
