@@ -8,7 +8,8 @@
  *
  * A library linked with --check-nan says where a number stopped being finite, and one linked with
  * the real `interval` says which branches its bounds do not decide and what bounds its results have
- * (docs/numerics.md). Other libraries note nothing, and nothing of this is in them.
+ * (docs/numerics.md). One that anysl-cost has linked to look for lost digits says what each
+ *operator does. Other libraries note nothing, and nothing of this is in them.
  *
  *     static void print(void *data, const AnyslNote *note) { ... }
  *     anysl_library_note(library, print, NULL);
@@ -30,7 +31,13 @@ typedef enum AnyslNoteKind {
   /** A condition that the bounds of its operands do not decide; it was decided by their middles. */
   ANYSL_NOTE_UNDECIDED,
   /** The bounds of a result of the shader. */
-  ANYSL_NOTE_BOUNDS
+  ANYSL_NOTE_BOUNDS,
+  /** What an operator gave; one note for each value that it writes. */
+  ANYSL_NOTE_VALUE,
+  /** What a condition, or an index into an array, came to. */
+  ANYSL_NOTE_DECISION,
+  /** A value that becomes a result of the shader. */
+  ANYSL_NOTE_STORE
 } AnyslNoteKind;
 
 /** At most so many numbers are noted of the results of an operator, and of its operands. */
@@ -46,7 +53,8 @@ typedef struct AnyslNoteSite {
   uint32_t reserved;
   const char *shader;
   const char *file; /**< as rslc was given it */
-  const char *op;   /**< the operator's name in STC: "sqrt"; for BOUNDS the result's: "Ci" */
+  const char
+      *op; /**< the operator's name in STC: "sqrt"; for BOUNDS and STORE the result's: "Ci" */
 } AnyslNoteSite;
 
 typedef struct AnyslNote {
@@ -57,7 +65,9 @@ typedef struct AnyslNote {
   /** All components of the results, one result after the other; of UNDECIDED the condition as it
       was decided, 0 or 1. Of BOUNDS the lower bounds of the components. */
   const double *results;
-  /** All components of the operands as they were before. Of BOUNDS the upper bounds. */
+  /** All components of the operands as they were before. Of BOUNDS the upper bounds. Of VALUE,
+      DECISION and STORE addresses, by which one finds who computed what: that of the value written
+      (of VALUE only), then those of the values read. */
   const double *operands;
 } AnyslNote;
 
@@ -90,8 +100,8 @@ ANYSL_NOTES_API int anysl_library_note(const struct AnyslLibrary *library, Anysl
 ANYSL_NOTES_API size_t anysl_note_text(const AnyslNote *note, uint64_t first, char *text,
                                        size_t size);
 
-/** Collects notes: of each place the first one and how many there were. Bounds, of which every
-   point has some, are passed over. */
+/** Collects notes: of each place the first one and how many there were. Those of which every point
+   has some, from BOUNDS on, are passed over. */
 typedef struct AnyslNoteLog AnyslNoteLog;
 
 /** Collects a library's notes from now on; null if it notes nothing. */

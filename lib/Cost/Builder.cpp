@@ -104,10 +104,8 @@ std::string Builder::newLibrary() {
   return path.str().str();
 }
 
-std::string Builder::buildSpecially(const std::string &real, const std::string &resourceDir,
-                                    function_ref<void(Module &, const link::Report &)> change) {
-  link::LinkOptions wanted = options;
-  wanted.resourceDir = resourceDir;
+std::string Builder::buildOnce(link::LinkOptions wanted, const std::string &real,
+                               function_ref<void(Module &, const link::Report &)> change) {
   wanted.real = real;
   wanted.math = tiers()[0].str();
   wanted.runtime = runtimeFor(real);
@@ -116,11 +114,25 @@ std::string Builder::buildSpecially(const std::string &real, const std::string &
   auto linked = link::linkShaders(diags, context, inputs, wanted, target);
   if (!linked)
     throw Failed();
-  change(*linked->module, linked->report);
+  if (change)
+    change(*linked->module, linked->report);
   std::string path = newLibrary();
   if (!emitModule(diags, *linked->module, target, OutputKind::SharedLibrary, path))
     throw Failed();
   return path;
+}
+
+std::string Builder::buildSpecially(const std::string &real, const std::string &resourceDir,
+                                    function_ref<void(Module &, const link::Report &)> change) {
+  link::LinkOptions wanted = options;
+  wanted.resourceDir = resourceDir;
+  return buildOnce(std::move(wanted), real, change);
+}
+
+std::string Builder::buildTraced(const std::string &real) {
+  link::LinkOptions wanted = options;
+  wanted.traceOps = true;
+  return buildOnce(std::move(wanted), real, nullptr);
 }
 
 const Build &Builder::build(const std::string &real, const Choice &choice) {

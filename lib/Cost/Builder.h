@@ -77,6 +77,10 @@ public:
   buildSpecially(const std::string &real, const std::string &resourceDir,
                  llvm::function_ref<void(llvm::Module &module, const link::Report &report)> change);
 
+  /// Links the exact tier for one point at a time into a library that says what each operator does
+  /// (<anysl/notes.h>). Gives the library's file. Throws Failed.
+  std::string buildTraced(const std::string &real);
+
   const std::string &resourceDir() const { return options.resourceDir; }
   const std::vector<std::string> &files() const { return inputs; }
   const std::string &folder() const { return temporary; }
@@ -86,6 +90,10 @@ public:
   bool works(const std::string &real) const;
 
 private:
+  /// Links and writes a library for one point at a time, of the exact tier.
+  std::string
+  buildOnce(link::LinkOptions wanted, const std::string &real,
+            llvm::function_ref<void(llvm::Module &module, const link::Report &report)> change);
   std::string newLibrary();
   std::string runtimeFor(const std::string &real) const;
 

@@ -51,6 +51,11 @@ std::string sentence(const AnyslNote &note, uint64_t first) {
     text += " is from " + parenthesized(note.results, site.result_count) + " to " +
             parenthesized(note.operands, site.operand_count);
     break;
+  case ANYSL_NOTE_VALUE:
+  case ANYSL_NOTE_DECISION:
+  case ANYSL_NOTE_STORE:
+    text += " is " + parenthesized(note.results, site.result_count);
+    break;
   }
   return text + ", in shader '" + site.shader + "' at point " + std::to_string(first + note.point);
 }
@@ -101,7 +106,7 @@ AnyslNoteLog *anysl_note_log_create(const AnyslLibrary *library) {
   log->library = library->loaded;
   auto add = [](void *data, const AnyslNote *note) {
     auto &log = *static_cast<AnyslNoteLog *>(data);
-    if (note->site->kind == ANYSL_NOTE_BOUNDS)
+    if (note->site->kind >= ANYSL_NOTE_BOUNDS)
       return;
     std::lock_guard guard(log.lock);
     AnyslNoteLog::Entry &entry = log.entries[note->site];

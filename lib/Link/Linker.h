@@ -44,6 +44,8 @@ struct LinkOptions {
   std::vector<std::string> params;
   /// Note where a number stops being finite (<anysl/notes.h>).
   bool checkNaN = false;
+  /// Note what every operator does, for one point at a time (<anysl/notes.h>).
+  bool traceOps = false;
   /// An operator of Neutral.def that nobody defines is an error, not its neutral value.
   bool declineIsError = false;
   /// The name of a stage of Stages.def after which to print the code to `dump` and stop; empty:

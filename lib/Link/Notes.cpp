@@ -64,6 +64,8 @@ public:
         noteUndecided(*call, *op);
         noteBounds(*call, *op);
       }
+      if (session.options.traceOps)
+        traceOp(*call, *op);
     }
   }
 
@@ -126,19 +128,57 @@ private:
            operands);
   }
 
+  /// Whether an operator hands its last operand, which consists of numbers, to the host.
+  static bool isStore(const stc::OpInfo &op) {
+    return op.purity == stc::Purity::Writes && stc::idKind(op) && !op.params.empty() &&
+           isNumeric(op.params.back()) && op.params.back().type != stc::Type::matrixTy;
+  }
+
   /// The bounds of what goes to the host.
   void noteBounds(CallInst &call, const stc::OpInfo &op) {
-    auto kind = stc::idKind(op);
-    if (op.purity != stc::Purity::Writes || !kind || op.params.empty())
+    if (!isStore(op))
       return;
     const stc::OpParam &stored = op.params.back();
-    if (!isNumeric(stored) || stored.type == stc::Type::matrixTy)
-      return;
     builder.SetInsertPoint(&call);
     Values low, high;
     addNumbers(low, "low", stored, call.getArgOperand(call.arg_size() - 1));
     addNumbers(high, "high", stored, call.getArgOperand(call.arg_size() - 1));
     note(call, ANYSL_NOTE_BOUNDS, nameOf(call, op), low, high);
+  }
+
+  /// What an operator does, and with which values, each named by its address.
+  void traceOp(CallInst &call, const stc::OpInfo &op) {
+    if (op.purity == stc::Purity::Structural)
+      return;
+    builder.SetInsertPoint(call.getNextNode());
+    builder.SetCurrentDebugLocation(call.getDebugLoc());
+    auto address = [&](Value *operand) {
+      return builder.CreateUIToFP(builder.CreatePtrToInt(operand, builder.getInt64Ty()),
+                                  builder.getDoubleTy());
+    };
+    Values read;
+    for (auto [i, param] : enumerate(op.params))
+      if (isNumeric(param) && isRead(param))
+        read.push_back(address(call.getArgOperand(i)));
+    for (auto [i, param] : enumerate(op.params)) {
+      if (!isNumeric(param) || !isWritten(param))
+        continue;
+      Values numbers, addresses = {address(call.getArgOperand(i))};
+      addresses.append(read);
+      addNumbers(numbers, "number", param, call.getArgOperand(i));
+      note(call, ANYSL_NOTE_VALUE, op.name, numbers, addresses);
+    }
+    if (op.result == stc::ResultKind::Test)
+      note(call, ANYSL_NOTE_DECISION, op.name, {builder.CreateUIToFP(&call, builder.getDoubleTy())},
+           read);
+    if (op.result == stc::ResultKind::Index)
+      note(call, ANYSL_NOTE_DECISION, op.name, {builder.CreateSIToFP(&call, builder.getDoubleTy())},
+           read);
+    if (isStore(op)) {
+      Values numbers;
+      addNumbers(numbers, "number", op.params.back(), call.getArgOperand(call.arg_size() - 1));
+      note(call, ANYSL_NOTE_STORE, nameOf(call, op), numbers, {read.back()});
+    }
   }
 
   /// What an operator is called: by its name, or by that of the global or parameter it is about.
@@ -228,7 +268,7 @@ Value *contextOf(Function &function) {
 
 std::vector<std::string> noteSymbols(const Session &session) {
   std::vector<std::string> result;
-  if (!session.options.checkNaN && !session.notesBounds)
+  if (!session.options.checkNaN && !session.options.traceOps && !session.notesBounds)
     return result;
   result.push_back(noteName.str());
   for (StringRef type : {"float", "color", "vector", "matrix"}) {

@@ -7,10 +7,9 @@
 
 #include "lib/Plot/Plot.h"
 #include "lib/Plot/Style.h"
+#include "lib/Plot/Svg.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <tuple>
 
 namespace anysl::plot {
@@ -20,15 +19,6 @@ constexpr double width = 980, height = 520;
 constexpr double left = 76, right = 700, top = 40, bottom = 456; ///< of the plot's area
 constexpr double zeroColumn = 60;                                ///< for x = 0, where there is one
 constexpr double radius = 8, letter = 6.3, lineHeight = 15;
-
-__attribute__((format(printf, 1, 2))) std::string format(const char *text, ...) {
-  char buffer[512];
-  va_list arguments;
-  va_start(arguments, text);
-  std::vsnprintf(buffer, sizeof buffer, text, arguments);
-  va_end(arguments);
-  return buffer;
-}
 
 /// One logarithmic axis, from values to places.
 class Axis {
@@ -66,10 +56,6 @@ struct Box {
     return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1;
   }
 };
-
-std::string textAt(double x, double y, const char *attributes, const std::string &text) {
-  return format("<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, attributes) + escaped(text) + "</text>\n";
-}
 
 std::string outline(unsigned shape, double x, double y, double r, const std::string &rest) {
   switch (shape) {

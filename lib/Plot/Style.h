@@ -39,6 +39,8 @@ constexpr const char *plotStyle = R"(
 .plot .s3 { fill: var(--s3); } .plot .s4 { fill: var(--s4); } .plot .s5 { fill: var(--s5); }
 .plot text.mark { fill: var(--back); font-size: 9px; font-weight: 700; pointer-events: none; }
 .plot text.key-mark { fill: var(--ink); }
+.plot .heat { fill: var(--s3); } .plot .above { fill: var(--s4); }
+.plot .frame { fill: none; stroke: var(--soft); }
 .plot .panel { fill: var(--panel); stroke: var(--faint); }
 .plot .tip { visibility: hidden; pointer-events: none; }
 .plot .point:hover .tip { visibility: visible; }

@@ -49,6 +49,7 @@ public:
   unsigned height() const { return options.gridHeight; }
   size_t pointCount() const { return size_t(options.gridWidth) * options.gridHeight; }
 
+  const AnyslLibrary *shaderLibrary() const { return library.get(); }
   const AnyslInstance *instance() const { return shaderInstance.get(); }
   const AnyslShaderInfo &shader() const { return *anysl_instance_shader(instance()); }
   /// Whether the shader computes in double precision.

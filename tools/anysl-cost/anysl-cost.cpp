@@ -10,6 +10,7 @@
 #include "lib/Support/Output.h"
 #include "lib/Support/Tool.h"
 #include "tools/anysl-cost/Report.h"
+#include "tools/anysl-cost/Stability.h"
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/CommandLine.h"
@@ -27,7 +28,9 @@ cl::OptionCategory category("anysl-cost");
 
 cl::list<std::string> inputs(cl::Positional, cl::OneOrMore, cl::desc("FILE.stc.bc..."),
                              cl::cat(category));
-cl::opt<std::string> output("o", cl::desc("Write report.html, report.json and report.csv there"),
+cl::opt<std::string> output("o",
+                            cl::desc("Write report.html, report.json and report.csv there "
+                                     "(stability.html and .json with --stability)"),
                             cl::value_desc("FOLDER"), cl::cat(category));
 cl::list<std::string> shaders("shader", cl::desc("Only this shader (repeatable; default: all)"),
                               cl::value_desc("NAME"), cl::cat(category));
@@ -51,6 +54,20 @@ cl::opt<bool> noSites("no-sites",
                       cl::desc("Do not study each call of a function by itself, which takes a "
                                "build for each and tier"),
                       cl::cat(category));
+cl::opt<bool>
+    stability("stability",
+              cl::desc("Search the points, and others about the worst of them, for places "
+                       "in the shader where rounding spoils results"),
+              cl::cat(category));
+cl::opt<double> digits("digits",
+                       cl::desc("With --stability: decimal digits that a result may lose "
+                                "(default: 3)"),
+                       cl::init(3), cl::value_desc("N"), cl::cat(category));
+cl::opt<unsigned>
+    searchRounds("search-rounds",
+                 cl::desc("With --stability: how often to look about the worst points "
+                          "(default: 12)"),
+                 cl::init(12), cl::value_desc("N"), cl::cat(category));
 cl::opt<bool> quiet("quiet", cl::desc("No progress"), cl::cat(category));
 
 /// What grids of points have in common for all programs, with help of its own.
@@ -95,22 +112,96 @@ std::vector<std::string> shadersIn(const Build &build) {
   return names;
 }
 
-bool writeReports(DiagnosticEngine &diags, const cost::Report &report) {
+/// Writes files into the output folder, each with its name and text.
+void writeReports(DiagnosticEngine &diags, ArrayRef<std::pair<StringRef, std::string>> files) {
+  if (output.empty())
+    return;
   if (std::error_code error = sys::fs::create_directories(output)) {
     diags.error("cannot make the folder '" + output + "': " + error.message());
-    return false;
+    throw Failed();
   }
-  auto write = [&](StringRef name, const std::string &text) {
+  for (const auto &[name, text] : files) {
     SmallString<128> path(output);
     sys::path::append(path, name);
-    return writeFile(diags, path, [&](raw_pwrite_stream &out) {
-      out << text;
-      return Error::success();
-    });
-  };
-  return write("report.html", toHtml(report)) &&
-         write("report.json", formatv("{0:2}\n", toJson(report)).str()) &&
-         write("report.csv", toCsv(report));
+    if (!writeFile(diags, path, [&](raw_pwrite_stream &out) {
+          out << text;
+          return Error::success();
+        }))
+      throw Failed();
+  }
+}
+
+/// Looks at each wanted shader of each file.
+void forEachShader(DiagnosticEngine &diags, TargetMachine &target, const link::LinkOptions &options,
+                   const std::string &real,
+                   function_ref<void(Builder &builder, const std::string &name,
+                                     const std::string &file, shade::Progress &progress)>
+                       study) {
+  std::vector<std::string> wanted(shaders.begin(), shaders.end()), met;
+  // A copy: lld, when it runs, forgets what the command line said.
+  std::vector<std::string> files(inputs.begin(), inputs.end());
+  for (const std::string &file : files) {
+    Builder builder(diags, target, {file}, options);
+    for (const std::string &name : shadersIn(builder.build(real, {"cr"}))) {
+      if (!wanted.empty() && !is_contained(wanted, name))
+        continue;
+      met.push_back(name);
+      shade::Progress progress(name, quiet);
+      study(builder, name, file, progress);
+    }
+  }
+  for (const std::string &name : wanted)
+    if (!is_contained(met, name))
+      throw shade::UserError("there is no shader '" + name + "' in these files");
+}
+
+/// --stability
+void searchAll(DiagnosticEngine &diags, TargetMachine &target, link::LinkOptions options,
+               const Settings &settings) {
+  StabilitySettings search;
+  search.grid = settings.grid;
+  search.real = reals.empty() ? "float" : reals.front();
+  search.limit = digits;
+  search.rounds = searchRounds;
+  if (reals.size() > 1 || (search.real != "float" && search.real != "double"))
+    throw shade::UserError("--stability looks at one real, float or double");
+  if (!(digits > 0))
+    throw shade::UserError("--digits: a result may lose more than 0 digits");
+  options.widths = {1};
+  std::vector<StabilityReport> reports;
+  forEachShader(diags, target, options, search.real,
+                [&](Builder &builder, const std::string &name, const std::string &file,
+                    shade::Progress &progress) {
+                  reports.push_back(findInstability(builder, name, search,
+                                                    [&](double share) { progress.show(share); }));
+                  reports.back().file = file;
+                  progress.finish();
+                  printStability(reports.back(), outs());
+                });
+  writeReports(diags, {{"stability.html", stabilityToHtml(reports)},
+                       {"stability.json", formatv("{0:2}\n", stabilityToJson(reports)).str()}});
+}
+
+/// Without it.
+void measureAll(DiagnosticEngine &diags, TargetMachine &target, const link::LinkOptions &options,
+                const Settings &settings) {
+  cost::Report report;
+  report.cpu = target.getTargetCPU().str();
+  report.rounds = settings.rounds;
+  forEachShader(diags, target, options, settings.reals.front(),
+                [&](Builder &builder, const std::string &name, const std::string &file,
+                    shade::Progress &progress) {
+                  Experiment experiment(
+                      builder, name, settings,
+                      [&](double share, const std::string &) { progress.show(share); });
+                  report.shaders.push_back(experiment.run());
+                  report.shaders.back().file = file;
+                  progress.finish();
+                  printTable(report.shaders.back(), outs());
+                });
+  writeReports(diags, {{"report.html", toHtml(report)},
+                       {"report.json", formatv("{0:2}\n", toJson(report)).str()},
+                       {"report.csv", toCsv(report)}});
 }
 
 void run(DiagnosticEngine &diags, const Tool &tool) {
@@ -123,32 +214,10 @@ void run(DiagnosticEngine &diags, const Tool &tool) {
   Settings settings = makeSettings();
   options.widths = settings.widths;
 
-  cost::Report report;
-  report.cpu = target->getTargetCPU().str();
-  report.rounds = settings.rounds;
-  std::vector<std::string> wanted(shaders.begin(), shaders.end()), met;
-  // A copy: lld, when it runs, forgets what the command line said.
-  std::vector<std::string> files(inputs.begin(), inputs.end());
-  for (const std::string &file : files) {
-    Builder builder(diags, *target, {file}, options);
-    for (const std::string &name : shadersIn(builder.build(settings.reals.front(), {"cr"}))) {
-      if (!wanted.empty() && !is_contained(wanted, name))
-        continue;
-      met.push_back(name);
-      shade::Progress progress(name, quiet);
-      Experiment experiment(builder, name, settings,
-                            [&](double share, const std::string &) { progress.show(share); });
-      report.shaders.push_back(experiment.run());
-      report.shaders.back().file = file;
-      progress.finish();
-      printTable(report.shaders.back(), outs());
-    }
-  }
-  for (const std::string &name : wanted)
-    if (!is_contained(met, name))
-      throw shade::UserError("there is no shader '" + name + "' in these files");
-  if (!output.empty() && !writeReports(diags, report))
-    throw Failed();
+  if (stability)
+    searchAll(diags, *target, options, settings);
+  else
+    measureAll(diags, *target, options, settings);
 }
 
 } // namespace
@@ -157,7 +226,7 @@ int main(int argc, char **argv) {
   makeGridOptions();
   Tool tool(argc, argv, "anysl-cost",
             "Measures what a shader's accuracy costs in time: every real, math tier and width "
-            "against an oracle.\n",
+            "against an oracle; or\nsearches for where it loses digits (--stability).\n",
             category);
   DiagnosticEngine diags("anysl-cost");
   try {
