@@ -7,7 +7,7 @@
 
 #include "tools/anysl-render/AreaLights.h"
 
-#include "tools/anysl-render/PrimitiveVariables.h"
+#include "lib/Rib/PrimitiveVariables.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_AREALIGHTS_H
 #define ANYSL_RENDER_AREALIGHTS_H
 
-#include "tools/anysl-render/SceneDescription.h"
+#include "lib/Rib/SceneDescription.h"
 
 namespace anysl::render {
 

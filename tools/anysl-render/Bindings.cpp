@@ -6,7 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "tools/anysl-render/Bindings.h"
-#include "tools/anysl-render/PrimitiveVariables.h"
+#include "lib/Rib/PrimitiveVariables.h"
 
 #include <algorithm>
 

@@ -7,7 +7,8 @@
 
 #include "tools/anysl-render/Film.h"
 
-#include "tools/anysl-render/Camera.h"
+#include "lib/Rib/Camera.h"
+#include "lib/Rib/FileTypes.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -31,19 +32,11 @@ float anysl::render::encodeSRGB(float linear) {
 
 namespace {
 
-/// Types of displays, and what OpenImageIO calls their format.
-const std::map<std::string_view, const char *> fileTypes = {
-    {"file", ""},       {"tiff", "tiff"}, {"tif", "tiff"},    {"zfile", "tiff"},
-    {"shadow", "tiff"}, {"png", "png"},   {"exr", "openexr"}, {"openexr", "openexr"},
-    {"jpeg", "jpeg"},   {"jpg", "jpeg"},  {"targa", "targa"}, {"tga", "targa"},
-    {"sgi", "sgi"},     {"bmp", "bmp"},   {"ppm", "pnm"},     {"rgbe", "hdr"},
-    {"hdr", "hdr"},     {"null", ""}};
-
 /// The format of a file: by its suffix, else by the type that the scene states; empty: neither
 /// says.
 std::string imageFormat(const OutputFile &output) {
-  auto type = fileTypes.find(output.format);
-  std::string byType = type == fileTypes.end() ? "" : type->second, bySuffix;
+  const char *type = fileFormat(output.format);
+  std::string byType = type ? type : "", bySuffix;
   if (auto file = OIIO::ImageOutput::create(imageFileName(output)))
     bySuffix = file->format_name();
   else
@@ -54,8 +47,6 @@ std::string imageFormat(const OutputFile &output) {
 }
 
 } // namespace
-
-bool anysl::render::isFileType(const std::string &type) { return fileTypes.contains(type); }
 
 std::string anysl::render::imageFileName(const OutputFile &output) {
   if (fs::path(output.name).has_extension())

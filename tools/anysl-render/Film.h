@@ -26,9 +26,6 @@ struct Film {
 /// A picture's file: a name without a suffix gets that of the type that the scene states.
 std::string imageFileName(const OutputFile &output);
 
-/// Whether a type of display is one of files; windows and the like are not.
-bool isFileType(const std::string &type);
-
 /// Throws UserError where the file's type is not known or its folder does not exist: better before
 /// rendering than after.
 void checkOutput(const OutputFile &output);

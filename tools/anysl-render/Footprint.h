@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_FOOTPRINT_H
 #define ANYSL_RENDER_FOOTPRINT_H
 
-#include "tools/anysl-render/Camera.h"
+#include "lib/Rib/Camera.h"
 #include "tools/anysl-render/Surface.h"
 #include <anysl/abi.h>
 

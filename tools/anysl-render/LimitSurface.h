@@ -18,9 +18,6 @@ namespace anysl::render {
 /// follow the same rules.
 class LimitSurface {
 public:
-  /// At most so many corners may a face have, and so many faces meet at a vertex.
-  static constexpr uint32_t mostCorners = 16, mostFaces = 64;
-
   /// `points` in camera space; variables with as many values.
   LimitSurface(const SubdivisionShape &shape, std::span<const Vec3d> points,
                std::span<const Variable> variables);

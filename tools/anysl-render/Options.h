@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_OPTIONS_H
 #define ANYSL_RENDER_OPTIONS_H
 
-#include "tools/anysl-render/SceneDescription.h"
+#include "lib/Rib/SceneDescription.h"
 #include "tools/anysl-render/ShaderCache.h"
 
 namespace anysl::render {

@@ -8,8 +8,8 @@
 #ifndef ANYSL_RENDER_PICTURES_H
 #define ANYSL_RENDER_PICTURES_H
 
+#include "lib/Rib/SceneDescription.h"
 #include "lib/Textures/Textures.h"
-#include "tools/anysl-render/SceneDescription.h"
 
 namespace anysl::render {
 

@@ -13,7 +13,7 @@
 #ifndef ANYSL_RENDER_SAMPLING_H
 #define ANYSL_RENDER_SAMPLING_H
 
-#include "tools/anysl-render/SceneDescription.h"
+#include "lib/Rib/SceneDescription.h"
 
 namespace anysl::render {
 

@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_SHADERCACHE_H
 #define ANYSL_RENDER_SHADERCACHE_H
 
-#include "tools/anysl-render/Diagnostics.h"
+#include "lib/Rib/Diagnostics.h"
 
 #include <atomic>
 #include <filesystem>

@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_SPACES_H
 #define ANYSL_RENDER_SPACES_H
 
-#include "tools/anysl-render/Camera.h"
+#include "lib/Rib/Camera.h"
 
 #include <string_view>
 

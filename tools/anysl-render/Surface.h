@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_SURFACE_H
 #define ANYSL_RENDER_SURFACE_H
 
-#include "tools/anysl-render/PrimitiveVariables.h"
+#include "lib/Rib/PrimitiveVariables.h"
 
 #include <embree3/rtcore.h>
 

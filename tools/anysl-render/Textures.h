@@ -9,7 +9,7 @@
 #ifndef ANYSL_RENDER_TEXTURES_H
 #define ANYSL_RENDER_TEXTURES_H
 
-#include "tools/anysl-render/SceneDescription.h"
+#include "lib/Rib/SceneDescription.h"
 
 namespace anysl::render {
 

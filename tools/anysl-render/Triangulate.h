@@ -8,7 +8,7 @@
 #ifndef ANYSL_RENDER_TRIANGULATE_H
 #define ANYSL_RENDER_TRIANGULATE_H
 
-#include "tools/anysl-render/Linear.h"
+#include "lib/Rib/Linear.h"
 
 #include <array>
 #include <cstdint>

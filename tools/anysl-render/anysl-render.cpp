@@ -5,13 +5,13 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Rib/RibReader.h"
 #include "lib/Shade/Options.h"
 #include "lib/Shade/Progress.h"
 #include "lib/Shade/Recording.h"
 #include "tools/anysl-render/AccuracyReport.h"
 #include "tools/anysl-render/Options.h"
 #include "tools/anysl-render/Render.h"
-#include "tools/anysl-render/RibReader.h"
 #include "tools/anysl-render/Textures.h"
 #include "tools/anysl-render/Watch.h"
 

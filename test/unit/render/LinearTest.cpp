@@ -6,7 +6,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-render/Linear.h"
+#include "lib/Rib/Linear.h"
 
 #include <catch2/catch.hpp>
 

@@ -5,8 +5,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-render/RibLexer.h"
-#include "tools/anysl-render/RibReader.h"
+#include "lib/Rib/RibLexer.h"
+#include "lib/Rib/RibReader.h"
 #include "tools/anysl-render/Sampling.h"
 
 #include <catch2/catch.hpp>

@@ -5,7 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-render/RibReader.h"
+#include "lib/Rib/RibReader.h"
 
 #include <catch2/catch.hpp>
 

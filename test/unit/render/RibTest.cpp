@@ -6,8 +6,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "tools/anysl-render/RibReader.h"
-#include "tools/anysl-render/RibState.h"
+#include "lib/Rib/RibReader.h"
+#include "lib/Rib/RibState.h"
 
 #include <catch2/catch.hpp>
 

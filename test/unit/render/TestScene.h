@@ -8,8 +8,8 @@
 #ifndef ANYSL_TEST_RENDER_TESTSCENE_H
 #define ANYSL_TEST_RENDER_TESTSCENE_H
 
+#include "lib/Rib/RibReader.h"
 #include "tools/anysl-render/Geometry.h"
-#include "tools/anysl-render/RibReader.h"
 #include "tools/anysl-render/Tessellate.h"
 
 #include <cstring>
