@@ -6,7 +6,8 @@
  *
  *===--------------------------------------------------------------------------------------------===
  *
- * A library linked with --check-nan says where a number stopped being finite, and one linked with
+ * A library linked with --check-nan says where a number stopped being finite, one linked with
+ * --max-loop which loops it has left, and one linked with
  * the real `interval` says which branches its bounds do not decide and what bounds its results have
  * (docs/numerics.md). One that anysl-cost has linked to look for lost digits says what each
  *operator does. Other libraries note nothing, and nothing of this is in them.
@@ -37,7 +38,9 @@ typedef enum AnyslNoteKind {
   /** What a condition, or an index into an array, came to. */
   ANYSL_NOTE_DECISION,
   /** A value that becomes a result of the shader. */
-  ANYSL_NOTE_STORE
+  ANYSL_NOTE_STORE,
+  /** A loop that has been left because it had run as many rounds as --max-loop allows. */
+  ANYSL_NOTE_LOOP_LIMIT
 } AnyslNoteKind;
 
 /** At most so many numbers are noted of the results of an operator, and of its operands. */
@@ -63,7 +66,8 @@ typedef struct AnyslNote {
   const AnyslNoteSite *site;
   const struct AnyslShadeArgs *args;
   /** All components of the results, one result after the other; of UNDECIDED the condition as it
-      was decided, 0 or 1. Of BOUNDS the lower bounds of the components. */
+      was decided, 0 or 1; of LOOP_LIMIT the number of rounds. Of BOUNDS the lower bounds of the
+     components. */
   const double *results;
   /** All components of the operands as they were before. Of BOUNDS the upper bounds. Of VALUE,
       DECISION and STORE addresses, by which one finds who computed what: that of the value written
@@ -101,7 +105,7 @@ ANYSL_NOTES_API size_t anysl_note_text(const AnyslNote *note, uint64_t first, ch
                                        size_t size);
 
 /** Collects notes: of each place the first one and how many there were. Those of which every point
-   has some, from BOUNDS on, are passed over. */
+   has some (BOUNDS, VALUE, DECISION, STORE) are passed over. */
 typedef struct AnyslNoteLog AnyslNoteLog;
 
 /** Collects a library's notes from now on; null if it notes nothing. */

@@ -25,7 +25,7 @@ Tracer::Tracer(const shade::GridOptions &options)
 
 void Tracer::add(const AnyslNote &note) {
   const AnyslNoteSite &site = *note.site;
-  if (site.kind < ANYSL_NOTE_VALUE)
+  if (site.kind < ANYSL_NOTE_VALUE || site.kind > ANYSL_NOTE_STORE)
     return;
   // Nothing has been stored before the first operator of the first point is through.
   if (!isRecorded)

@@ -56,9 +56,15 @@ std::string sentence(const AnyslNote &note, uint64_t first) {
   case ANYSL_NOTE_STORE:
     text += " is " + parenthesized(note.results, site.result_count);
     break;
+  case ANYSL_NOTE_LOOP_LIMIT:
+    text += " left after " + list(note.results, 1) + " rounds";
+    break;
   }
   return text + ", in shader '" + site.shader + "' at point " + std::to_string(first + note.point);
 }
+
+/// Such notes are no news.
+bool isOfEveryPoint(uint32_t kind) { return kind >= ANYSL_NOTE_BOUNDS && kind <= ANYSL_NOTE_STORE; }
 
 /// Places by what is printed of them first; one place has several notes if it computes several
 /// things.
@@ -106,7 +112,7 @@ AnyslNoteLog *anysl_note_log_create(const AnyslLibrary *library) {
   log->library = library->loaded;
   auto add = [](void *data, const AnyslNote *note) {
     auto &log = *static_cast<AnyslNoteLog *>(data);
-    if (note->site->kind >= ANYSL_NOTE_BOUNDS)
+    if (isOfEveryPoint(note->site->kind))
       return;
     std::lock_guard guard(log.lock);
     AnyslNoteLog::Entry &entry = log.entries[note->site];

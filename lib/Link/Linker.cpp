@@ -90,6 +90,8 @@ bool runStages(Session &session, ArrayRef<std::string> files) {
       run(session, "link", linkModules) &&
       // While a call of an operator still has its place in the shader.
       run(session, "tiers", chooseTiers) &&
+      // Before notes are about the code that there is in the end.
+      run(session, "loops", limitLoops) &&
       // While operators still have names and their operands addresses.
       run(session, "notes", addNotes) &&
       // Before inlining: the runtime's shade_point is copied once a shader.

@@ -44,6 +44,8 @@ struct LinkOptions {
   std::vector<std::string> params;
   /// Note where a number stops being finite (<anysl/notes.h>).
   bool checkNaN = false;
+  /// Leave every loop after so many rounds, and note that; 0: loops run as long as they do.
+  unsigned maxLoop = 0;
   /// Note what every operator does, for one point at a time (<anysl/notes.h>).
   bool traceOps = false;
   /// An operator of Neutral.def that nobody defines is an error, not its neutral value.

@@ -12,21 +12,19 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/Link/Session.h"
+#include "lib/Link/NoteWriter.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/IR/IRBuilder.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/Instructions.h"
 #include "llvm/Transforms/Utils/BasicBlockUtils.h"
-#include <anysl/notes.h>
 
 using namespace llvm;
 
 namespace anysl::link {
 namespace {
 
-constexpr StringLiteral noteName = "anysl_note", undecidedPrefix = "anysl_is_undecided_",
-                        lowName = "anysl_low_of_float";
+constexpr StringLiteral undecidedPrefix = "anysl_is_undecided_", lowName = "anysl_low_of_float";
 
 bool isNumeric(const stc::OpParam &param) {
   return param.isValue() && param.type != stc::Type::stringTy;
@@ -44,11 +42,8 @@ StringRef valueType(stc::Type type) {
 class Noter {
 public:
   Noter(Session &session, const Shader &shader, Function &function, Value *context)
-      : session(session), shader(shader), context(context), builder(session.context),
-        type(StructType::get(session.context,
-                             {builder.getInt32Ty(), builder.getInt32Ty(), builder.getInt32Ty(),
-                              builder.getInt32Ty(), builder.getInt32Ty(), builder.getInt32Ty(),
-                              builder.getPtrTy(), builder.getPtrTy(), builder.getPtrTy()})) {
+      : session(session), shader(shader), builder(session.context),
+        writer(session, shader, context) {
     for (Instruction &instruction : instructions(function))
       if (auto *call = dyn_cast<CallInst>(&instruction))
         if (Function *callee = call->getCalledFunction())
@@ -211,64 +206,22 @@ private:
 
   void note(CallInst &call, uint32_t kind, StringRef name, ArrayRef<Value *> results,
             ArrayRef<Value *> operands) {
-    results = results.take_front(ANYSL_NOTE_RESULTS);
-    operands = operands.take_front(ANYSL_NOTE_OPERANDS);
-    Values arguments = {context, site(call, kind, name, results.size(), operands.size())};
-    auto append = [&](ArrayRef<Value *> numbers, unsigned count) {
-      arguments.append(numbers.begin(), numbers.end());
-      arguments.append(count - numbers.size(), ConstantFP::get(builder.getDoubleTy(), 0));
-    };
-    append(results, ANYSL_NOTE_RESULTS);
-    append(operands, ANYSL_NOTE_OPERANDS);
-    builder.CreateCall(session.module->getFunction(noteName), arguments);
-  }
-
-  /// An AnyslNoteSite.
-  Constant *site(const CallInst &call, uint32_t kind, StringRef name, size_t results,
-                 size_t operands) {
-    FilePosition position = stc::positionOf(call);
-    Constant *value = ConstantStruct::get(
-        type,
-        {builder.getInt32(kind), builder.getInt32(position.line), builder.getInt32(position.column),
-         builder.getInt32(unsigned(results)), builder.getInt32(unsigned(operands)),
-         builder.getInt32(0), text(shader.info.name), text(position.file), text(name)});
-    return new GlobalVariable(*session.module, type, true, GlobalValue::PrivateLinkage, value,
-                              "anysl.site");
-  }
-
-  Constant *text(StringRef value) {
-    GlobalVariable *&global = texts[value];
-    if (!global) {
-      auto *data = ConstantDataArray::getString(session.context, value);
-      global = new GlobalVariable(*session.module, data->getType(), true,
-                                  GlobalValue::PrivateLinkage, data, "anysl.text");
-    }
-    return global;
+    writer.write(builder, stc::positionOf(call), kind, name, results, operands);
   }
 
   Session &session;
   const Shader &shader;
-  Value *context;
   IRBuilder<> builder;
-  StructType *type;
+  NoteWriter writer;
   SmallVector<std::pair<CallInst *, const stc::OpInfo *>> calls;
-  StringMap<GlobalVariable *> texts;
 };
-
-/// A function's parameter that is the shading context; null if it has none.
-Value *contextOf(Function &function) {
-  auto signature = stc::signatureOf(function);
-  for (auto [i, param] : enumerate(signature.value_or(SmallVector<stc::OpParam>())))
-    if (param.kind == stc::ParamKind::Ctx)
-      return function.getArg(unsigned(i));
-  return nullptr;
-}
 
 } // namespace
 
 std::vector<std::string> noteSymbols(const Session &session) {
   std::vector<std::string> result;
-  if (!session.options.checkNaN && !session.options.traceOps && !session.notesBounds)
+  if (!session.options.checkNaN && !session.options.traceOps && !session.notesBounds &&
+      !session.options.maxLoop)
     return result;
   result.push_back(noteName.str());
   for (StringRef type : {"float", "color", "vector", "matrix"}) {
@@ -293,20 +246,10 @@ bool hasBounds(const Module &real) { return real.getFunction(lowName); }
 bool addNotes(Session &session) {
   if (!session.module->getFunction(noteName))
     return true;
-  for (Shader &shader : session.shaders) {
-    SmallSetVector<Function *, 8> functions;
-    functions.insert(shader.info.body);
-    for (unsigned i = 0; i < functions.size(); ++i)
-      for (Instruction &instruction : instructions(functions[i]))
-        if (auto *call = dyn_cast<CallBase>(&instruction))
-          if (Function *callee = call->getCalledFunction();
-              callee && !callee->isDeclaration() && !stc::opOfSymbol(callee->getName()))
-            functions.insert(callee);
-    for (Function *function : functions)
-      if (Value *context =
-              function == shader.info.body ? function->getArg(0) : contextOf(*function))
-        Noter(session, shader, *function, context).run();
-  }
+  for (Shader &shader : session.shaders)
+    forEachWithContext(shader, [&](Function &function, Value *context) {
+      Noter(session, shader, function, context).run();
+    });
   return true;
 }
 

@@ -66,6 +66,10 @@ cl::opt<std::string> decline("decline",
                                       "with a warning; default) or error"),
                              cl::init("neutral"), cl::value_desc("neutral|error"),
                              cl::cat(category));
+cl::opt<unsigned> maxLoop("max-loop",
+                          cl::desc("Leave every loop of a shader after N rounds, and let the host "
+                                   "know (default: no limit)"),
+                          cl::value_desc("N"), cl::cat(category));
 cl::opt<bool> checkNaN("check-nan", cl::desc("Let the host know where a number stops being finite"),
                        cl::cat(category));
 cl::opt<double> maxError("max-error",
@@ -163,6 +167,7 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
     adoptRealOf(mathChoices, real.getNumOccurrences(), runtime.getNumOccurrences(), options);
   options.precision = precision;
   options.checkNaN = checkNaN;
+  options.maxLoop = maxLoop;
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;
