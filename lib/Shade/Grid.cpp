@@ -309,19 +309,6 @@ void Grid::readTexts(const AnyslBatch *batch, size_t first, uint32_t count, Resu
   std::copy(texts.begin(), texts.end(), result.texts.begin() + first * result.perPoint());
 }
 
-void Grid::printNotes() const {
-  uint64_t count;
-  for (size_t i = 0; notes; ++i) {
-    const char *text = anysl_note_log_entry(notes.get(), i, &count);
-    if (!text)
-      break;
-    std::fprintf(stderr, "%s", text);
-    if (count > 1)
-      std::fprintf(stderr, ", and %llu more", static_cast<unsigned long long>(count - 1));
-    std::fputc('\n', stderr);
-  }
-}
-
 double Grid::secondsFor(AnyslBatch *batch, unsigned width, unsigned times) const {
   auto count = uint32_t(pointCount());
   // Fresh inputs: a shader may move P at every run.

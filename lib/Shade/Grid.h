@@ -39,7 +39,7 @@ public:
   double secondsFor(AnyslBatch *batch, unsigned width, unsigned times) const;
 
   /// Prints what the shader's library has noted while shading, each place once.
-  void printNotes() const;
+  void printNotes() const { shade::printNotes(notes.get(), stderr); }
 
   /// A batch that holds points [first, first + count), counted row by row.
   BatchHandle makeBatch(size_t first, uint32_t count) const;

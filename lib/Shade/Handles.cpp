@@ -17,6 +17,19 @@ void check(AnyslStatus status) {
     throw UserError(anysl_last_error());
 }
 
+void printNotes(AnyslNoteLog *notes, std::FILE *file) {
+  uint64_t count;
+  for (size_t i = 0; notes; ++i) {
+    const char *text = anysl_note_log_entry(notes, i, &count);
+    if (!text)
+      break;
+    std::fprintf(file, "%s", text);
+    if (count > 1)
+      std::fprintf(file, ", and %llu more", static_cast<unsigned long long>(count - 1));
+    std::fputc('\n', file);
+  }
+}
+
 LibraryHandle openLibrary(const std::string &path) {
   AnyslLibrary *opened = nullptr;
   check(anysl_library_open(path.c_str(), 0, &opened));

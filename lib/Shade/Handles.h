@@ -11,6 +11,7 @@
 #include "lib/Shade/Options.h"
 #include <anysl/anysl.h>
 #include <anysl/notes.h>
+#include <cstdio>
 #include <memory>
 
 namespace anysl::shade {
@@ -25,6 +26,8 @@ struct Free {
 using LibraryHandle = std::unique_ptr<AnyslLibrary, Free<anysl_library_close>>;
 using InstanceHandle = std::unique_ptr<AnyslInstance, Free<anysl_instance_free>>;
 using NoteLogHandle = std::unique_ptr<AnyslNoteLog, Free<anysl_note_log_free>>;
+/// Prints what a library has noted, each place once; nothing for a null log.
+void printNotes(AnyslNoteLog *notes, std::FILE *file);
 using BatchHandle = std::unique_ptr<AnyslBatch, Free<anysl_batch_free>>;
 
 /// Throws what the loader says as a UserError.

@@ -22,6 +22,8 @@ Renders a RIB scene whose shaders are compiled by AnySL.
   --width N         rays and points at once: 1, 4, 8 or 16 (default: what the processor holds)
   --real NAME       float (default) or double (scalar only)
   --math TIER       how exact the shaders' functions are (default: the linker's)
+  --check-nan       say where shaders compute what is not a number, or infinite
+  --max-loop N      leave shaders' loops after N rounds, and say where that was
   --threads N       threads (default: all)
   --size WxH        picture size
   --samples N       N x N samples a pixel
@@ -92,6 +94,10 @@ Options anysl::render::parseOptions(int count, char **arguments) {
       options.target.real = take();
     else if (option == "--math")
       options.target.math = take();
+    else if (option == "--check-nan")
+      options.target.checkNaN = true;
+    else if (option == "--max-loop")
+      options.target.maxLoop = unsigned(integer(1, 1'000'000'000));
     else if (option == "--width") {
       options.target.width = unsigned(integer(1, 16));
       widthGiven = true;

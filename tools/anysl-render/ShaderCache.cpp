@@ -195,7 +195,8 @@ fs::path ShaderCache::library(const std::string &name, const Location &where) co
     return source;
   for (const std::string &word : {toolKey(), target.runtime, target.real, target.math})
     hash.add(word);
-  hash.addNumber(target.width);
+  for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop})
+    hash.addNumber(number);
   std::string stem = source.filename().string();
   stem = stem.substr(0, stem.find('.'));
   fs::path result = folder / (stem + "-" + hash.text() + ".so");
@@ -245,6 +246,10 @@ fs::path ShaderCache::library(const std::string &name, const Location &where) co
                                    target.width > 1 ? "1," + std::to_string(target.width) : "1"};
   if (!target.math.empty())
     link.insert(link.end(), {"--math", target.math});
+  if (target.checkNaN)
+    link.push_back("--check-nan");
+  if (target.maxLoop)
+    link.insert(link.end(), {"--max-loop", std::to_string(target.maxLoop)});
   step(std::move(link));
   fs::rename(library.path, result, error);
   if (error)

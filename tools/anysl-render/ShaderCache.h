@@ -23,6 +23,8 @@ struct ShaderTarget {
   std::string runtime = "packet", real = "float";
   std::string math; ///< empty: the linker's default
   unsigned width = 8;
+  bool checkNaN = false; ///< they note where a number stops being finite
+  unsigned maxLoop = 0;  ///< rounds after which loops are left; 0: no limit
 };
 
 /// Finds a shader's file by its name and makes a shader library of it. NAME.so is taken as it is;

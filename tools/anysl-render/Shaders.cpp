@@ -115,6 +115,8 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
     if (anysl_library_open(std::filesystem::absolute(job.library).c_str(), 0, &library))
       throw UserError(*job.where, anysl_last_error());
     libraries[job.name].reset(library);
+    if (AnyslNoteLog *log = anysl_note_log_create(library))
+      notes.emplace_back(log);
     const AnyslLibraryInfo &info = *anysl_library_info(library);
     if (info.layout != uint32_t(layout))
       throw UserError(*job.where, job.library.string() + " is made for runtime \"" + info.runtime +
@@ -123,6 +125,11 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
       throw UserError(*job.where, "the scene's shaders compute in both float and double");
     format = AnyslReal(info.real);
   }
+}
+
+void ShaderLoader::printNotes(std::FILE *file) const {
+  for (const shade::NoteLogHandle &log : notes)
+    shade::printNotes(log.get(), file);
 }
 
 std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServices &services) {

@@ -9,6 +9,7 @@
 #ifndef ANYSL_RENDER_SHADERS_H
 #define ANYSL_RENDER_SHADERS_H
 
+#include "lib/Shade/Handles.h"
 #include "tools/anysl-render/ShaderCache.h"
 #include "tools/anysl-render/Spaces.h"
 
@@ -70,6 +71,9 @@ public:
   /// outlive it.
   std::unique_ptr<Shader> make(const ShaderUse &use, const AnyslServices &services);
 
+  /// Prints what shaders that were linked for it have noted, each place once.
+  void printNotes(std::FILE *file) const;
+
   /// The number format of all the shaders' batches.
   AnyslReal real() const { return format; }
 
@@ -86,6 +90,7 @@ private:
   Warnings &warnings;
   AnyslReal format = ANYSL_REAL_FLOAT;
   std::map<std::string, std::unique_ptr<AnyslLibrary, Close>> libraries; ///< by the shader's name
+  std::vector<shade::NoteLogHandle> notes; ///< of libraries that note something
 };
 
 } // namespace anysl::render

@@ -154,6 +154,7 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
   if (result.film.badPixels > 0)
     warnings.warn({}, std::to_string(result.film.badPixels) +
                           " pixels had samples that are not numbers; those samples were left out");
+  host->scene().printNotes(stderr);
   std::string names;
   for (const OutputFile &output : scene.outputs) {
     writeImage(result.film, scene, output);
