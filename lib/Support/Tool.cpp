@@ -76,10 +76,13 @@ Tool::Tool(int &argc, char **&argv, StringLiteral name, StringLiteral overview,
     option->removeArgument();
 }
 
+std::string Tool::programFolder() const {
+  std::string path = sys::fs::getMainExecutable(program, reinterpret_cast<void *>(printVersion));
+  return sys::path::parent_path(path).str();
+}
+
 std::string Tool::resourceDir() const {
-  SmallString<256> path(
-      sys::fs::getMainExecutable(program, reinterpret_cast<void *>(printVersion)));
-  sys::path::remove_filename(path);
+  SmallString<256> path(programFolder());
   sys::path::append(path, "..", "lib", "anysl");
   sys::path::remove_dots(path, /*remove_dot_dot=*/true);
   return path.str().str();

@@ -38,6 +38,8 @@ public:
   Tool(int &argc, char **&argv, llvm::StringLiteral name, llvm::StringLiteral overview,
        llvm::cl::OptionCategory &category);
 
+  /// The folder of the running program.
+  std::string programFolder() const;
   /// The folder of runtimes and libraries, lib/anysl beside the folder of the running program.
   std::string resourceDir() const;
 

@@ -10,6 +10,7 @@
 #include "lib/Support/Output.h"
 #include "lib/Support/Tool.h"
 #include "tools/anysl-cost/Report.h"
+#include "tools/anysl-cost/SceneShaders.h"
 #include "tools/anysl-cost/Stability.h"
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringExtras.h"
@@ -26,8 +27,12 @@ namespace {
 
 cl::OptionCategory category("anysl-cost");
 
-cl::list<std::string> inputs(cl::Positional, cl::OneOrMore, cl::desc("FILE.stc.bc..."),
+cl::list<std::string> inputs(cl::Positional, cl::ZeroOrMore, cl::desc("FILE.stc.bc..."),
                              cl::cat(category));
+cl::opt<std::string> scene("scene",
+                           cl::desc("Take the surface and volume shaders of a RIB scene, at the "
+                                    "points where they run"),
+                           cl::value_desc("FILE.rib"), cl::cat(category));
 cl::opt<std::string> output("o",
                             cl::desc("Write report.html, report.json and report.csv there "
                                      "(stability.html and .json with --stability)"),
@@ -131,19 +136,23 @@ void writeReports(DiagnosticEngine &diags, ArrayRef<std::pair<StringRef, std::st
   }
 }
 
+/// Whether a shader can be run at the points of a recording; at those of a grid all can.
+bool hasPoints(const Settings &settings, StringRef name) {
+  const auto &recorded = settings.grid.recorded;
+  return scene.empty() || any_of(recorded, [&](auto &part) { return part->name == name; });
+}
+
 /// Looks at each wanted shader of each file.
 void forEachShader(DiagnosticEngine &diags, TargetMachine &target, const link::LinkOptions &options,
-                   const std::string &real,
+                   ArrayRef<std::string> files, const Settings &settings, const std::string &real,
                    function_ref<void(Builder &builder, const std::string &name,
                                      const std::string &file, shade::Progress &progress)>
                        study) {
   std::vector<std::string> wanted(shaders.begin(), shaders.end()), met;
-  // A copy: lld, when it runs, forgets what the command line said.
-  std::vector<std::string> files(inputs.begin(), inputs.end());
   for (const std::string &file : files) {
     Builder builder(diags, target, {file}, options);
     for (const std::string &name : shadersIn(builder.build(real, {"cr"}))) {
-      if (!wanted.empty() && !is_contained(wanted, name))
+      if ((!wanted.empty() && !is_contained(wanted, name)) || !hasPoints(settings, name))
         continue;
       met.push_back(name);
       shade::Progress progress(name, quiet);
@@ -157,7 +166,7 @@ void forEachShader(DiagnosticEngine &diags, TargetMachine &target, const link::L
 
 /// --stability
 void searchAll(DiagnosticEngine &diags, TargetMachine &target, link::LinkOptions options,
-               const Settings &settings) {
+               ArrayRef<std::string> files, const Settings &settings) {
   StabilitySettings search;
   search.grid = settings.grid;
   search.real = reals.empty() ? "float" : reals.front();
@@ -169,7 +178,7 @@ void searchAll(DiagnosticEngine &diags, TargetMachine &target, link::LinkOptions
     throw shade::UserError("--digits: a result may lose more than 0 digits");
   options.widths = {1};
   std::vector<StabilityReport> reports;
-  forEachShader(diags, target, options, search.real,
+  forEachShader(diags, target, options, files, settings, search.real,
                 [&](Builder &builder, const std::string &name, const std::string &file,
                     shade::Progress &progress) {
                   reports.push_back(findInstability(builder, name, search,
@@ -177,6 +186,7 @@ void searchAll(DiagnosticEngine &diags, TargetMachine &target, link::LinkOptions
                   reports.back().file = file;
                   progress.finish();
                   printStability(reports.back(), outs());
+                  outs().flush();
                 });
   writeReports(diags, {{"stability.html", stabilityToHtml(reports)},
                        {"stability.json", formatv("{0:2}\n", stabilityToJson(reports)).str()}});
@@ -184,11 +194,11 @@ void searchAll(DiagnosticEngine &diags, TargetMachine &target, link::LinkOptions
 
 /// Without it.
 void measureAll(DiagnosticEngine &diags, TargetMachine &target, const link::LinkOptions &options,
-                const Settings &settings) {
+                ArrayRef<std::string> files, const Settings &settings) {
   cost::Report report;
   report.cpu = target.getTargetCPU().str();
   report.rounds = settings.rounds;
-  forEachShader(diags, target, options, settings.reals.front(),
+  forEachShader(diags, target, options, files, settings, settings.reals.front(),
                 [&](Builder &builder, const std::string &name, const std::string &file,
                     shade::Progress &progress) {
                   Experiment experiment(
@@ -198,6 +208,7 @@ void measureAll(DiagnosticEngine &diags, TargetMachine &target, const link::Link
                   report.shaders.back().file = file;
                   progress.finish();
                   printTable(report.shaders.back(), outs());
+                  outs().flush();
                 });
   writeReports(diags, {{"report.html", toHtml(report)},
                        {"report.json", formatv("{0:2}\n", toJson(report)).str()},
@@ -214,10 +225,23 @@ void run(DiagnosticEngine &diags, const Tool &tool) {
   Settings settings = makeSettings();
   options.widths = settings.widths;
 
+  // A copy: lld, when it runs, forgets what the command line said.
+  std::vector<std::string> files(inputs.begin(), inputs.end());
+  std::optional<SceneShaders> fromScene;
+  if (!scene.empty()) {
+    fromScene.emplace(tool.programFolder(), scene);
+    for (const std::string &library : fromScene->libraries())
+      diags.warning(FilePosition(), {"library", true},
+                    "'" + library + "' cannot be linked anew; it is left out");
+    files.insert(files.end(), fromScene->files().begin(), fromScene->files().end());
+    settings.grid.recorded = fromScene->points();
+  }
+  if (files.empty())
+    throw shade::UserError("no shader: give STC files, or a scene with --scene");
   if (stability)
-    searchAll(diags, *target, options, settings);
+    searchAll(diags, *target, options, files, settings);
   else
-    measureAll(diags, *target, options, settings);
+    measureAll(diags, *target, options, files, settings);
 }
 
 } // namespace
