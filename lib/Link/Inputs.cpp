@@ -188,6 +188,17 @@ std::optional<uint64_t> constantOf(const Module &module, StringRef name) {
   return value ? std::optional<uint64_t>(value->getZExtValue()) : std::nullopt;
 }
 
+/// Over those of the real.
+static bool openPlainOperators(Session &session) {
+  if (!session.options.plainOperators)
+    return true;
+  std::string folder = session.options.resourceDir + "/plain";
+  if (is_contained(modulesIn(folder), session.real))
+    return openLayer(session, "plain operators", folder + "/" + session.real + ".bc");
+  session.diags.error("there are no plain operators for real '" + session.real + "'");
+  return false;
+}
+
 bool openLayers(Session &session) {
   const LinkOptions &options = session.options;
   StringRef folder = options.resourceDir;
@@ -212,7 +223,7 @@ bool openLayers(Session &session) {
   return openLayer(session, "the shading library", folder + "/" + shadelibName) &&
          openLayer(session, "real '" + session.real + "'",
                    folder + "/real/" + session.real + ".bc") &&
-         adaptToReal(session, *session.layers.back().module) &&
+         adaptToReal(session, *session.layers.back().module) && openPlainOperators(session) &&
          openLayer(session, "runtime '" + options.runtime + "'",
                    folder + "/runtime/" + options.runtime + "." + session.real + ".bc") &&
          openTiers(session);

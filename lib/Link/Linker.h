@@ -42,6 +42,8 @@ struct LinkOptions {
   std::vector<unsigned> widths;
   /// Parameters to become constants, as the command line has them: "shader.name=v,v,v", "name=v".
   std::vector<std::string> params;
+  /// Operators without what keeps hard cases right (runtimes/plain).
+  bool plainOperators = false;
   /// Note where a number stops being finite (<anysl/notes.h>).
   bool checkNaN = false;
   /// Leave every loop after so many rounds, and note that; 0: loops run as long as they do.

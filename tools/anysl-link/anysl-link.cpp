@@ -66,6 +66,9 @@ cl::opt<std::string> decline("decline",
                                       "with a warning; default) or error"),
                              cl::init("neutral"), cl::value_desc("neutral|error"),
                              cl::cat(category));
+cl::opt<bool> plainOperators("plain-operators",
+                             cl::desc("Textbook formulas, without what keeps hard cases right"),
+                             cl::cat(category));
 cl::opt<unsigned> maxLoop("max-loop",
                           cl::desc("Leave every loop of a shader after N rounds, and let the host "
                                    "know (default: no limit)"),
@@ -168,6 +171,7 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.precision = precision;
   options.checkNaN = checkNaN;
   options.maxLoop = maxLoop;
+  options.plainOperators = plainOperators;
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;
