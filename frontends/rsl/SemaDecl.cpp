@@ -217,17 +217,23 @@ void Sema::checkFunction(FunctionDecl &decl) {
 /// Makes a function known where it stands.
 void Sema::declareFunction(FunctionDecl &decl) {
   SmallVector<FunctionDecl *, 2> &overloads = scopes.back().functions[decl.name];
-  for (FunctionDecl *other : overloads) {
+  for (FunctionDecl *&other : overloads) {
     bool same =
         other->result.kind == decl.result.kind && other->params.size() == decl.params.size();
     for (size_t i = 0; same && i < decl.params.size(); ++i)
       same = other->params[i]->type.kind == decl.params[i]->type.kind &&
              other->params[i]->type.structure == decl.params[i]->type.structure &&
              other->params[i]->type.isArray() == decl.params[i]->type.isArray();
-    if (same)
-      diags.error(decl.range.Start, "redefinition of function '" + decl.name + "'")
-          .range(decl.range)
-          .note(other->range.Start, "previously defined here", other->range);
+    if (!same)
+      continue;
+    // Headers of other renderers have helpers in common.
+    diags
+        .warning(decl.range.Start, warn::FunctionRedefined,
+                 "redefinition of function '" + decl.name + "'; this one counts from here on")
+        .range(decl.range)
+        .note(other->range.Start, "previously defined here", other->range);
+    other = &decl;
+    return;
   }
   overloads.push_back(&decl);
 }

@@ -12,6 +12,7 @@ surface transforms() {
   matrix m = (0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
   point p = transform("moved", m, point(0, 1, 3));
   Ci = color(p[1] + p[0], 0, p[2]);
+  Ci = Ci * (ptransform("moved", m, point(0, 1, 3)) == p ? 1 : 0); // by an older name
   vector v = vtransform("moved", m, vector(1, 0, 3));
   Oi = color(v[1], v[0], v[2]);
 }

@@ -15,7 +15,7 @@ surface names(float roughness = 0.1) {        // expected-note 2 {{'roughness' i
 }
 
 float later(float x) { return x; }            // expected-note {{it is defined later; functions must stand before their use}}
-float later(float y) { return y; }            // expected-error {{redefinition of function 'later'}} expected-note@-1 {{previously defined here}}
+float later(float y) { return y; }            // expected-warning {{redefinition of function 'later'; this one counts from here on}} expected-note@-1 {{previously defined here}}
 color later(float y) { return y; }
 surface names() {}                            // expected-error {{redefinition of shader 'names'}} expected-note@-15 {{previously defined here}}
 
@@ -26,4 +26,4 @@ surface names() {}                            // expected-error {{redefinition o
 // CHECK: names.sl:5:21: note: 'roughness' is declared here
 // CHECK-NEXT: {{^}}surface names(float roughness = 0.1)
 // CHECK-NEXT: {{^}}                    ^~~~~~~~~
-// CHECK: 9 errors generated.
+// CHECK: 8 errors and 1 warning generated.
