@@ -26,7 +26,7 @@ public:
       : shader(shader), bound(bound), layout(layout), stride(stride) {
     if (bound.empty() && !allOutputs && !(withOutputs && !shader.outputs.empty()))
       return;
-    arrays = arena.allocate<Real *>(shader.info->param_count);
+    arrays = arena.allocate<void *>(shader.info->param_count);
     std::fill_n(arrays, shader.info->param_count, nullptr);
     AnyslShadeArgs args;
     anysl_instance_fill_args(shader.instance.get(), &args);
@@ -34,12 +34,18 @@ public:
       const AnyslParamInfo &param = shader.info->params[p];
       bool isShown = withOutputs && std::any_of(shader.outputs.begin(), shader.outputs.end(),
                                                 [&](const auto &each) { return each.param == p; });
-      bool isOutput = (param.flags & ANYSL_PARAM_OUTPUT) && param.type != ANYSL_STRING;
-      if (!isShown && !(allOutputs && isOutput))
+      if (!isShown && !(allOutputs && (param.flags & ANYSL_PARAM_OUTPUT)))
         continue;
       // One that the shader never assigns has the parameter's value.
       uint32_t components = anysl_type_components(param.type);
       uint32_t numbers = components * (param.array_length ? param.array_length : 1);
+      if (param.type == ANYSL_STRING) {
+        auto *texts = arena.allocate<const char *>(numbers * stride);
+        for (size_t i = 0; i < numbers * stride; ++i)
+          texts[i] = args.params[param.first_cell + i / stride].string;
+        arrays[p] = texts;
+        continue;
+      }
       arrays[p] = arena.allocate<Real>(numbers * stride);
       for (uint32_t k = 0; k < numbers; ++k)
         for (size_t i = 0; i < stride; ++i)
@@ -49,7 +55,8 @@ public:
     for (const Binding &binding : bound) {
       if (!arrays[binding.parameter])
         arrays[binding.parameter] = arena.allocate<Real>(binding.numbers * stride);
-      std::fill_n(arrays[binding.parameter], binding.numbers * stride, Real(0));
+      std::fill_n(static_cast<Real *>(arrays[binding.parameter]), binding.numbers * stride,
+                  Real(0));
       most = std::max(most, binding.numbers);
     }
     scratch = arena.allocate<float>(most);
@@ -74,22 +81,23 @@ public:
   void fill(AnyslShadeArgs &args) const {
     if (!arrays)
       return;
-    args.param_data = reinterpret_cast<void *const *>(arrays);
+    args.param_data = arrays;
     args.data_stride = stride;
   }
 
 private:
   Real &at(uint32_t parameter, uint32_t components, uint32_t k, size_t i) const {
+    auto *numbers = static_cast<Real *>(arrays[parameter]);
     if (layout == ANYSL_LAYOUT_SOA)
-      return arrays[parameter][k * stride + i];
-    return arrays[parameter][(k / components * stride + i) * components + k % components];
+      return numbers[k * stride + i];
+    return numbers[(k / components * stride + i) * components + k % components];
   }
 
   const Shader &shader;
   std::span<const Binding> bound;
   AnyslLayout layout;
   size_t stride;
-  Real **arrays = nullptr;
+  void **arrays = nullptr; ///< of Real; of text, which is of one component, const char *
   float *scratch = nullptr;
 };
 
