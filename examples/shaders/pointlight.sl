@@ -4,7 +4,8 @@
 //
 // The RenderMan Interface's standard light "pointlight": it fades with the square of the distance.
 
-light pointlight(float intensity = 1; color lightcolor = 1; point from = point "shader" (0, 0, 0)) {
+light pointlight(float intensity = 1; color lightcolor = 1; point from = point "shader" (0, 0, 0);
+                 float __nondiffuse = 0, __nonspecular = 0; string __category = "") {
   illuminate (from)
     Cl = intensity * lightcolor * (1 / (L . L));
 }

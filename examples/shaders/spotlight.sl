@@ -7,7 +7,8 @@
 
 light spotlight(float intensity = 1; color lightcolor = 1;
                 point from = point "shader" (0, 0, 0), to = point "shader" (0, 0, 1);
-                float coneangle = radians(30), conedeltaangle = radians(5), beamdistribution = 2) {
+                float coneangle = radians(30), conedeltaangle = radians(5), beamdistribution = 2;
+                float __nondiffuse = 0, __nonspecular = 0; string __category = "") {
   uniform vector axis = (to - from) / length(to - from);
   uniform float outside = cos(coneangle), inside = cos(coneangle - conedeltaangle);
   illuminate (from, axis, coneangle) {

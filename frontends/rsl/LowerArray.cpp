@@ -53,14 +53,19 @@ void Lowering::setLength(Value *array, Value *count, StringRef name, SMLoc loc) 
   b.call(Op::clamp_float, {lengths.lookup(array), whole, number(0), number(capacityOf(array))});
 }
 
+/// Tells the renderer what is left out, when it gets there.
+void Lowering::warnWhenRun(const Twine &message, SMLoc loc) {
+  FilePosition position = diags.presumed(loc);
+  b.call(Op::warn,
+         {b.context(),
+          text((position.file + ":" + Twine(position.line) + ": warning: " + message).str())});
+}
+
 /// Tells the renderer that elements are left out.
 void Lowering::warnFull(Value *array, StringRef name, SMLoc loc) {
-  FilePosition position = diags.presumed(loc);
-  std::string place = (position.file + ":" + Twine(position.line) + ":").str();
-  b.call(Op::warn,
-         {b.context(), text(place + " warning: array '" + name.str() +
-                            "' has no room for more than " + std::to_string(capacityOf(array)) +
-                            " elements; rslc --array-capacity gives it more")});
+  warnWhenRun("array '" + name + "' has no room for more than " + Twine(capacityOf(array)) +
+                  " elements; rslc --array-capacity gives it more",
+              loc);
 }
 
 Value *Lowering::callArray(const CallExpr &call) {

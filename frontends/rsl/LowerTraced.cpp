@@ -28,7 +28,6 @@ static bool isEnvironment(Op op) {
                       op);
 }
 
-/// Shadows are those of the light whose shader asks; elsewhere there is none to trace to.
 bool Lowering::mayBeTraced(const CallExpr &call) const {
   if (!shaderType || initOf)
     return false;
@@ -36,7 +35,7 @@ bool Lowering::mayBeTraced(const CallExpr &call) const {
   if (constant && constant->value != "raytrace")
     return false;
   Op op = call.builtin->op;
-  return isEnvironment(op) || (isShadow(op) && *shaderType == ShaderType::Light);
+  return isEnvironment(op) || isShadow(op);
 }
 
 /// The value of an argument by name that no operand takes.
@@ -46,6 +45,37 @@ Value *Lowering::rayField(const CallExpr &call, StringRef name) {
     if (field.name == name)
       return call.named[i] ? lower(call.named[i]) : number(field.number);
   llvm_unreachable("NamedArguments.def lacks a field");
+}
+
+/// What of a light passes on its way to a place: of the light whose shader asks, or else of the one
+/// that illuminance is at. Elsewhere there is none, and no shadow.
+void Lowering::lowerTracedShadow(Value *passing, Value *place, ArrayRef<Value *> cone, SMLoc loc) {
+  Type vector{TypeKind::Vector, true}, color{TypeKind::Color, true};
+  bool inLight = *shaderType == ShaderType::Light;
+  Value *to = temporary(vector);
+  if (inLight) {
+    // L is the way from the light to the point that it shines on.
+    Value *way = globalSlot(globalNumber("L"));
+    if (isSolar) {
+      Value *unit = temporary(vector), *far = temporary(vector);
+      b.call(Op::normalize, {unit, way});
+      b.call(Op::scale_vector, {far, unit, number(1e12)});
+      way = far;
+    }
+    b.call(Op::sub_vector, {to, place, way});
+  } else if (currentLight.index) {
+    b.call(Op::light_end, {to, b.context(), currentLight.index, currentLight.position,
+                           lightGlobals[globalNumber("L")]});
+  } else {
+    copy(color, passing, convert(number(1), {TypeKind::Float}, color));
+    warnWhenRun("there is no light here that shadow(\"raytrace\") could be of, outside of light "
+                "shaders and illuminance",
+                loc);
+    return;
+  }
+  SmallVector<Value *, 6> operands{passing, b.context(), place, to};
+  llvm::append_range(operands, cone);
+  b.call(cone.empty() ? Op::transmission : Op::transmission_cone, operands);
 }
 
 Value *Lowering::lowerTraced(const CallExpr &call, ArrayRef<Value *> operands, Op op) {
@@ -80,18 +110,7 @@ Value *Lowering::lowerTraced(const CallExpr &call, ArrayRef<Value *> operands, O
   continueIn(rays);
   Value *light = temporary(color);
   if (shadow) {
-    // L is the way from the light to the point that it shines on.
-    Value *way = globalSlot(globalNumber("L")), *to = temporary(vector);
-    if (isSolar) {
-      Value *unit = temporary(vector), *far = temporary(vector);
-      b.call(Op::normalize, {unit, way});
-      b.call(Op::scale_vector, {far, unit, number(1e12)});
-      way = far;
-    }
-    b.call(Op::sub_vector, {to, place, way});
-    SmallVector<Value *, 6> rayOperands{light, b.context(), place, to};
-    rayOperands.append(cone);
-    b.call(isCone ? Op::transmission_cone : Op::transmission, rayOperands);
+    lowerTracedShadow(light, place, cone, call.loc);
   } else {
     Value *from = globalSlot(globalNumber(*shaderType == ShaderType::Light ? "Ps" : "P"));
     SmallVector<Value *, 7> rayOperands{light, b.context(), from, place};

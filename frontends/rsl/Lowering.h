@@ -154,6 +154,7 @@ private:
   Value *lengthOf(Value *array);
   void copyLength(Value *to, Value *from);
   void setLength(Value *array, Value *count, llvm::StringRef name, SMLoc loc);
+  void warnWhenRun(const llvm::Twine &message, SMLoc loc);
   void warnFull(Value *array, llvm::StringRef name, SMLoc loc);
   Value *callArray(const CallExpr &call);
 
@@ -164,6 +165,7 @@ private:
   Value *callFunction(const CallExpr &call);
   bool mayBeTraced(const CallExpr &call) const; // LowerTraced.cpp
   Value *lowerTraced(const CallExpr &call, llvm::ArrayRef<Value *> operands, stc::Op op);
+  void lowerTracedShadow(Value *passing, Value *place, llvm::ArrayRef<Value *> cone, SMLoc loc);
   Value *rayField(const CallExpr &call, llvm::StringRef name);
   Value *callComponentWise(const CallExpr &call);
   Value *callSpline(const CallExpr &call); // LowerSpline.cpp

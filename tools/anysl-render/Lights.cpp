@@ -113,10 +113,27 @@ SceneLights::SceneLights(const SceneDescription &scene, const ShaderCache &cache
                     "light shader \"" + light.name + "\" is not found; the light is left out");
       continue;
     }
-    useOf[index] = std::make_unique<ShaderUse>(ShaderUse{
-        ShaderKind::Light, light.name, light.parameters, light.lightToCamera, light.where});
-    uses.push_back(useOf[index].get());
+    uses.push_back(useShader(index));
   }
+}
+
+const ShaderUse *SceneLights::useShader(uint32_t index) {
+  const LightUse &light = scene.lights[index];
+  useOf[index] = std::make_unique<ShaderUse>(
+      ShaderUse{ShaderKind::Light, light.name, light.parameters, light.lightToCamera, light.where});
+  return useOf[index].get();
+}
+
+std::vector<const ShaderUse *> SceneLights::runStandard(const ShaderCache &cache) {
+  std::vector<const ShaderUse *> added;
+  for (uint32_t index = 0; index < standard.size(); ++index) {
+    // The standard's shaders shine from where their parameters say, those of areas from all over.
+    if (!standard[index] || !scene.lights[index].shapes.empty() ||
+        !cache.find(scene.lights[index].name))
+      continue;
+    added.push_back(useShader(index));
+  }
+  return added;
 }
 
 void SceneLights::load(ShaderLoader &loader, const AnyslServices &services) {

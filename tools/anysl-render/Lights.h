@@ -22,8 +22,8 @@ struct LightSet {
 
 /// The lights of a scene. ambientlight, distantlight, pointlight and spotlight are data, with the
 /// parameters of the RenderMan Interface's standard lights and __nondiffuse, __nonspecular and
-/// __category, unless the scene's shader path has other shaders of these names. All others are
-/// light shaders.
+/// __category, unless the scene's shader path has other shaders of these names, or some shader asks
+/// for lights' parameters or sends values to them. All others are light shaders.
 class SceneLights {
 public:
   /// Lights whose shaders there are not get a warning and are left out.
@@ -31,12 +31,15 @@ public:
 
   /// The light shaders that shapes are lit by.
   std::span<const ShaderUse *const> shaders() const { return uses; }
+  /// Lets the standard lights be shaders too, which are to be opened besides.
+  std::vector<const ShaderUse *> runStandard(const ShaderCache &cache);
   /// Makes the light shaders, whose libraries are open. Throws UserError as the loader does.
   void load(ShaderLoader &loader, const AnyslServices &services);
   /// The lights with these indices.
   LightSet set(const std::vector<uint32_t> &indices, Warnings &warnings) const;
 
 private:
+  const ShaderUse *useShader(uint32_t index);
   void addShader(const LightUse &use, const Shader &shader, LightSet &set) const;
   void addStandard(const LightUse &use, LightSet &set, Warnings &warnings) const;
   /// The light, or as many as its shapes have samples.

@@ -28,7 +28,7 @@ Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const Anys
     : description(given), camera(given.camera), spaces(given, camera), background(given),
       textures(makePictures(given)), loader(*this, cache, layout, width, warnings),
       lights(given, cache, warnings) {
-  loadShaders(services, warnings);
+  loadShaders(cache, services, warnings);
   makeGroups(services, warnings);
   displacements.resize(description.shapes.size());
   auto move = [&](uint32_t index, Mesh &mesh) {
@@ -42,7 +42,8 @@ Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const Anys
   surfaces = std::make_unique<Geometry>(description, camera, groupOfShape, move);
 }
 
-void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
+void Scene::loadShaders(const ShaderCache &cache, const AnyslServices &services,
+                        Warnings &warnings) {
   // Only those that some shape uses.
   std::set<int> used;
   for (const Shape &shape : description.shapes) {
@@ -60,7 +61,6 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
     uses.push_back(&description.shaders[size_t(index)]);
   uses.insert(uses.end(), lights.shaders().begin(), lights.shaders().end());
   loader.open(uses);
-  lights.load(loader, services);
   imagerServices.struct_size = sizeof imagerServices;
   imagerServices.space_matrix = services.space_matrix;
   imagerServices.query = services.query;
@@ -75,6 +75,10 @@ void Scene::loadShaders(const AnyslServices &services, Warnings &warnings) {
                          : use.kind == ShaderKind::Displacement ? displacementServices
                                                                 : services);
   }
+  if (std::any_of(shaders.begin(), shaders.end(),
+                  [](const auto &shader) { return shader && shader->asksLights(); }))
+    loader.open(lights.runStandard(cache));
+  lights.load(loader, services);
   wantedChannels = Channels(description, shaders, warnings);
 }
 

@@ -67,7 +67,7 @@ public:
   void printNotes(std::FILE *file) const { loader.printNotes(file); }
 
 private:
-  void loadShaders(const AnyslServices &services, Warnings &warnings);
+  void loadShaders(const ShaderCache &cache, const AnyslServices &services, Warnings &warnings);
   void makeGroups(const AnyslServices &services, Warnings &warnings);
   /// A shader with values of its own for some parameters; shapes with the same values share it.
   const Shader *specialise(int index, const std::vector<Parameter> &constants,

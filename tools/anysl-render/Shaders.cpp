@@ -157,12 +157,14 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
   }
   constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
   uint64_t read = info->globals_read, written = info->globals_written;
+  shader->effects = info->effects;
   // A co-shader's methods are shaders of their own, which find the globals of who calls them.
   const AnyslLibraryInfo &file = *anysl_library_info(library);
   for (uint32_t i = 0; use.kind == ShaderKind::Any && i < file.shader_count; ++i)
     if (file.shaders[i].kind == ANYSL_METHOD) {
       read |= file.shaders[i].globals_read;
       written |= file.shaders[i].globals_written;
+      shader->effects |= file.shaders[i].effects;
     }
   shader->needed = read;
   if (shader->needed & bits(ANYSL_dNdu, ANYSL_dNdv, ANYSL_dsdu, ANYSL_dsdv, ANYSL_dtdu, ANYSL_dtdv))

@@ -1,5 +1,4 @@
-//===-- tools/anysl-render/Shaders.h - shaders with their values --------------------*- C++
-//-*---===//
+//===-- tools/anysl-render/Shaders.h - shaders with their values ------------------*- C++ -*---===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -37,6 +36,7 @@ struct Shader {
   uint32_t width = 1;
   uint64_t globals = 0; ///< all that it reads or writes, as bits 1 << ANYSL_P ...
   uint64_t needed = 0;  ///< those that it reads
+  uint32_t effects = 0; ///< as AnyslShaderInfo has them, with those of a co-shader's methods
 
   /// An output parameter that is wanted for a picture.
   struct Output {
@@ -47,6 +47,9 @@ struct Shader {
 
   /// Whether it asks questions by name: service number 7 of lib/STC/Services.def.
   bool asksByName() const { return (info->services >> 7 & 1) != 0; }
+  /// Whether it asks lights for parameters or sends them values: effect number 18 of
+  /// lib/STC/Effects.def.
+  bool asksLights() const { return (effects >> 18 & 1) != 0; }
   /// Whether it calls other shaders: service number 6.
   bool callsOthers() const { return (info->services >> 6 & 1) != 0; }
 };

@@ -219,23 +219,30 @@ bool anysl_light_handle(anysl_string *result, anysl_context *context, int32_t in
   return **result != 0;
 }
 
+void anysl_light_end(anysl_point *result, anysl_context *context, int32_t index,
+                     const anysl_point *P, const anysl_vector *L) {
+  using namespace anysl;
+  const AnyslLight &light = context->args->lights[index];
+  *result = vectorFrom(light.from);
+  if (light.kind == ANYSL_LIGHT_DISTANT)
+    *result = *P - vectorFrom(light.direction) * anysl_float(distantLightDistance);
+  if (light.kind == ANYSL_LIGHT_SHADER) {
+    anysl_float far = divide(anysl_float(distantLightDistance), lengthOf(L->x, L->y, L->z));
+    *result = *P + *L * (light.flags & ANYSL_LIGHT_FAR ? far : anysl_float(1));
+  }
+}
+
 /// An operator of its own, so that only those points send a ray which the light reaches and which
 /// face it.
 void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point *P,
                         const anysl_vector *L, anysl_color *Cl) {
   using namespace anysl;
-  const AnyslLight &light = context->args->lights[index];
-  if (!(light.flags & ANYSL_LIGHT_CASTS_SHADOW))
+  if (!(context->args->lights[index].flags & ANYSL_LIGHT_CASTS_SHADOW))
     return;
-  anysl_vector from = vectorFrom(light.from);
-  if (light.kind == ANYSL_LIGHT_DISTANT)
-    from = *P - vectorFrom(light.direction) * anysl_float(distantLightDistance);
-  if (light.kind == ANYSL_LIGHT_SHADER) {
-    anysl_float far = divide(anysl_float(distantLightDistance), lengthOf(L->x, L->y, L->z));
-    from = *P + *L * (light.flags & ANYSL_LIGHT_FAR ? far : anysl_float(1));
-  }
+  anysl_point end;
+  anysl_light_end(&end, context, index, P, L);
   anysl_color passing;
-  anysl_transmission(&passing, context, P, &from);
+  anysl_transmission(&passing, context, P, &end);
   *Cl = *Cl * passing;
 }
 
