@@ -10,6 +10,9 @@
 #include "tools/anysl-render/ParameterArrays.h"
 #include "tools/anysl-render/Pictures.h"
 
+#include <algorithm>
+#include <functional>
+
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -34,40 +37,64 @@ AnyslServices makeServices() {
 
 constexpr uint64_t moved = uint64_t(1) << ANYSL_P | uint64_t(1) << ANYSL_N;
 
+/// Runs a displacement shader at some points of a surface.
 class Displacer {
 public:
   Displacer(const Scene &scene, const Shader &shader, std::span<const Binding> bound,
-            const Shape &shape, AnyslLayout layout, Mesh &mesh)
+            const Shape &shape, AnyslLayout layout, ShapeSurface &surface)
       : scene(scene), shader(shader), bound(bound), object(shape.objectToCamera), layout(layout),
-        mesh(mesh) {}
+        surface(surface) {}
 
-  template <typename Real>
-  void run();
+  /// Where a point of the surface lies.
+  struct Start {
+    Hit hit;
+    Vec3f origin; ///< of the hit, which is at distance 0, where that tells its place
+  };
+  /// Fills in what is below for points start(0) to start(count - 1). What the shader puts out
+  /// becomes variables of `domain`.
+  void run(uint32_t count, Domain domain, const std::function<Start(uint32_t)> &start);
+
+  std::vector<Vec3d> places, normals;       ///< as the shader leaves them
+  std::vector<Vec3d> oldPlaces, oldNormals; ///< before that
+
+  bool setsNormals() const { return (shader.info->globals_written >> ANYSL_N & 1) != 0; }
+  /// A place that is none, or further off than Embree can go, is not gone to.
+  Vec3d newPlace(uint32_t i) const {
+    return isFinite(places[i]) && maxAbs(places[i]) < 1e18 ? places[i] : oldPlaces[i];
+  }
+  /// Of unit length; one that has no direction is not taken.
+  Vec3d newNormal(uint32_t i) const {
+    Vec3d result = normalized(normals[i]);
+    return setsNormals() && isFinite(result) && result != Vec3d() ? result : oldNormals[i];
+  }
+
+  /// Whether the shader finds the normals of what it moves, as calculatenormal() does: effect
+  /// number 20 of lib/STC/Effects.def.
+  bool findsNormals() const { return setsNormals() && (shader.info->effects >> 20 & 1) != 0; }
+  bool isTurned(uint32_t i) const {
+    return dot(newNormal(i), normalized(oldNormals[i])) < 1 - 1e-6;
+  }
+  bool isMoved(uint32_t i) const {
+    return maxAbs(newPlace(i) - oldPlaces[i]) > 1e-6 * maxAbs(oldPlaces[i]);
+  }
 
 private:
-  void prepare();
+  void prepareOutputs(Domain domain);
   template <typename Real>
-  void shade(Arena &arena, uint32_t first, uint32_t count);
-  void prepareOutputs();
-  void movePoints();
-  void findTangents();
-  void findNormals();
+  void shade(Arena &arena, uint32_t first, uint32_t count,
+             const std::function<Start(uint32_t)> &start);
 
   const Scene &scene;
   const Shader &shader;
   std::span<const Binding> bound;
   Space object;
   AnyslLayout layout;
-  Mesh &mesh;
-  std::vector<uint32_t> placeOf; ///< of each corner: three times a triangle, and which of its three
-  std::vector<Vec3d> places, normals;       ///< of each corner, as the shader leaves them
-  std::vector<Vec3d> oldPlaces, oldNormals; ///< before that
-  std::vector<Shader::Output> outputs;      ///< channel: number in mesh.values.list
-  bool anyMoved = false;
+  ShapeSurface &surface;
+  std::vector<Shader::Output> outputs; ///< channel: number in surface.values.list
 };
 
-/// What other shaders may ask for is kept at every corner.
-void Displacer::prepareOutputs() {
+/// What other shaders may ask for is kept at every point.
+void Displacer::prepareOutputs(Domain domain) {
   for (uint32_t i = 0; i < shader.info->param_count; ++i) {
     const AnyslParamInfo &param = shader.info->params[i];
     if (!(param.flags & ANYSL_PARAM_OUTPUT) || param.type == ANYSL_STRING)
@@ -78,48 +105,18 @@ void Displacer::prepareOutputs() {
                     : param.type == ANYSL_COLOR  ? ValueType::Color
                     : param.type == ANYSL_MATRIX ? ValueType::Matrix
                                                  : ValueType::Vector;
-    variable.domain = Domain::Corner;
+    variable.domain = domain;
     variable.components =
         anysl_type_components(param.type) * (param.array_length ? param.array_length : 1);
     variable.values.resize(places.size() * variable.components);
-    outputs.push_back({i, uint32_t(mesh.values.list.size())});
-    mesh.values.list.push_back(std::move(variable));
+    outputs.push_back({i, uint32_t(surface.values.list.size())});
+    surface.values.list.push_back(std::move(variable));
   }
 }
 
-void Displacer::prepare() {
-  if (mesh.corners.empty())
-    mesh.corners = mesh.triangles;
-  uint32_t count = 0;
-  for (const auto &corner : mesh.corners)
-    count = std::max(count, *std::max_element(corner.begin(), corner.end()) + 1);
-  constexpr uint32_t unused = ~uint32_t(0);
-  placeOf.assign(count, unused);
-  for (uint32_t t = 0; t < mesh.corners.size(); ++t)
-    for (uint32_t k = 0; k < 3; ++k)
-      placeOf[mesh.corners[t][k]] = 3 * t + k;
-  for (std::vector<Vec3d> *list : {&places, &normals, &oldPlaces, &oldNormals})
-    list->resize(count);
-  if (!mesh.parameters.empty())
-    return;
-  // A polygon's parameters are its places before they move.
-  mesh.parameters.resize(count);
-  mesh.unitParameters = false;
-  mesh.dPdu.resize(count);
-  mesh.dPdv.resize(count);
-  for (uint32_t corner = 0; corner < count; ++corner)
-    if (placeOf[corner] != unused) {
-      Vec3d p = mesh.placement.toObject.affinePoint(
-          Vec3d(mesh.points[mesh.triangles[placeOf[corner] / 3][placeOf[corner] % 3]]));
-      mesh.parameters[corner] = {float(p.x), float(p.y)};
-      SurfaceFrame frame = mesh.planarFrameAt(placeOf[corner] / 3);
-      mesh.dPdu[corner] = Vec3f(frame.dPdu);
-      mesh.dPdv[corner] = Vec3f(frame.dPdv);
-    }
-}
-
 template <typename Real>
-void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
+void Displacer::shade(Arena &arena, uint32_t first, uint32_t count,
+                      const std::function<Start(uint32_t)> &start) {
   Arena::Scope scope(arena);
   size_t size = (size_t(count) + 15) / 16 * 16;
   Real *arrays[ANYSL_COMPONENT_COUNT] = {};
@@ -140,16 +137,10 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
   ParameterArrays<Real> parameters(arena, shader, bound, false, !outputs.empty(), layout, size);
 
   for (uint32_t i = 0; i < count; ++i) {
-    uint32_t place = placeOf[first + i];
-    Hit hit;
-    if (place == ~uint32_t(0))
-      place = 0; // a corner of no facet
-    hit.primitive = place / 3;
-    hit.u = place % 3 == 1;
-    hit.v = place % 3 == 2;
+    const auto [hit, origin] = start(first + i);
     Ray ray;
     SurfacePoint point;
-    evaluateSurface(mesh, hit, ray.origin, ray.direction, shader.needed | moved, point);
+    evaluateSurface(surface, hit, origin, ray.direction, shader.needed | moved, point);
     if (!scene.description.camera.perspective)
       ray.origin = {float(point.frame.P.x), float(point.frame.P.y), 0};
     if (shader.needed & footprintBits)
@@ -161,7 +152,7 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
     storeGlobals(wanted, point, ray, 0, store);
     storeUniformGlobals(wanted, scene, store);
     parameters.set(i, bound, [&](uint32_t variable, float *value) {
-      mesh.interpolate(mesh.values.list[variable], hit, point, value);
+      surface.interpolate(surface.values.list[variable], hit, point, value);
     });
   }
   AnyslShadeArgs args;
@@ -173,7 +164,7 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
   parameters.fill(args);
   shader.shade(&args, 0, count);
   for (const Shader::Output &output : outputs) {
-    Variable &variable = mesh.values.list[output.channel];
+    Variable &variable = surface.values.list[output.channel];
     for (uint32_t i = 0; i < count; ++i)
       for (uint32_t k = 0; k < variable.components; ++k)
         variable.values[(first + i) * variable.components + k] =
@@ -186,55 +177,74 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count) {
     }
 }
 
-template <typename Real>
-void Displacer::run() {
-  prepare();
-  prepareOutputs();
+void Displacer::run(uint32_t count, Domain domain, const std::function<Start(uint32_t)> &start) {
+  for (std::vector<Vec3d> *list : {&places, &normals, &oldPlaces, &oldNormals})
+    list->resize(count);
+  prepareOutputs(domain);
   constexpr uint32_t chunk = 1024;
-  uint32_t count = uint32_t(places.size());
   tbb::enumerable_thread_specific<Arena> arenas;
   tbb::parallel_for(uint32_t(0), (count + chunk - 1) / chunk, [&](uint32_t i) {
-    shade<Real>(arenas.local(), i * chunk, std::min(chunk, count - i * chunk));
+    uint32_t first = i * chunk, size = std::min(chunk, count - first);
+    if (scene.real() == ANYSL_REAL_DOUBLE)
+      shade<double>(arenas.local(), first, size, start);
+    else
+      shade<float>(arenas.local(), first, size, start);
   });
-  movePoints();
-  findTangents();
-  if (shader.info->globals_written >> ANYSL_N & 1)
-    findNormals();
-  else
-    normals = oldNormals;
-  mesh.normals.name = "N";
-  mesh.normals.type = ValueType::Normal;
-  mesh.normals.domain = Domain::Corner;
-  mesh.normals.components = 3;
-  mesh.normals.values.clear();
-  for (const Vec3d &n : normals)
-    for (int k = 0; k < 3; ++k)
-      mesh.normals.values.push_back(float(n[k]));
 }
 
-void Displacer::movePoints() {
+//===-- Meshes --------------------------------------------------------------//
+
+constexpr uint32_t unused = ~uint32_t(0);
+
+/// Of each corner: three times a triangle, and which of its three.
+std::vector<uint32_t> placesOfCorners(const Mesh &mesh) {
+  uint32_t count = 0;
+  for (const auto &corner : mesh.corners)
+    count = std::max(count, *std::max_element(corner.begin(), corner.end()) + 1);
+  std::vector<uint32_t> placeOf(count, unused);
+  for (uint32_t t = 0; t < mesh.corners.size(); ++t)
+    for (uint32_t k = 0; k < 3; ++k)
+      placeOf[mesh.corners[t][k]] = 3 * t + k;
+  return placeOf;
+}
+
+/// A polygon's parameters are its places before they move.
+void keepParameters(const std::vector<uint32_t> &placeOf, Mesh &mesh) {
+  mesh.parameters.resize(placeOf.size());
+  mesh.unitParameters = false;
+  mesh.dPdu.resize(placeOf.size());
+  mesh.dPdv.resize(placeOf.size());
+  for (uint32_t corner = 0; corner < placeOf.size(); ++corner)
+    if (placeOf[corner] != unused) {
+      Vec3d p = mesh.placement.toObject.affinePoint(
+          Vec3d(mesh.points[mesh.triangles[placeOf[corner] / 3][placeOf[corner] % 3]]));
+      mesh.parameters[corner] = {float(p.x), float(p.y)};
+      SurfaceFrame frame = mesh.planarFrameAt(placeOf[corner] / 3);
+      mesh.dPdu[corner] = Vec3f(frame.dPdu);
+      mesh.dPdv[corner] = Vec3f(frame.dPdv);
+    }
+}
+
+/// Corners at a point go together.
+void movePoints(const Displacer &displacer, const std::vector<uint32_t> &placeOf, Mesh &mesh) {
   std::vector<Vec3d> sums(mesh.points.size());
   std::vector<uint32_t> counts(mesh.points.size());
-  for (uint32_t corner = 0; corner < places.size(); ++corner) {
+  for (uint32_t corner = 0; corner < placeOf.size(); ++corner) {
     uint32_t place = placeOf[corner];
-    if (place == ~uint32_t(0))
+    if (place == unused)
       continue;
     uint32_t point = mesh.triangles[place / 3][place % 3];
-    // A place that is none, or further off than Embree can go, is not gone to.
-    bool usable = isFinite(places[corner]) && maxAbs(places[corner]) < 1e18;
-    sums[point] += usable ? places[corner] : oldPlaces[corner];
+    sums[point] += displacer.newPlace(corner);
     ++counts[point];
-    anyMoved |=
-        usable && maxAbs(places[corner] - oldPlaces[corner]) > 1e-6 * maxAbs(oldPlaces[corner]);
   }
   for (size_t i = 0; i < sums.size(); ++i)
     if (counts[i] > 0)
       mesh.points[i] = Vec3f(sums[i] * (1. / counts[i]));
 }
 
-void Displacer::findTangents() {
-  std::vector<Vec3d> byU(places.size()), byV(places.size());
-  std::vector<double> weights(places.size());
+void findTangents(Mesh &mesh) {
+  std::vector<Vec3d> byU(mesh.dPdu.size()), byV(mesh.dPdu.size());
+  std::vector<double> weights(mesh.dPdu.size());
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     Vec3d dPdu, dPdv;
     double weight = mesh.tangents(t, dPdu, dPdv);
@@ -244,20 +254,23 @@ void Displacer::findTangents() {
       weights[corner] += weight;
     }
   }
-  for (size_t i = 0; i < places.size(); ++i)
+  for (size_t i = 0; i < mesh.dPdu.size(); ++i)
     if (weights[i] > 0) {
       mesh.dPdu[i] = Vec3f(byU[i] * (1 / weights[i]));
       mesh.dPdv[i] = Vec3f(byV[i] * (1 / weights[i]));
     }
 }
 
-void Displacer::findNormals() {
-  if (!anyMoved) {
-    for (size_t i = 0; i < normals.size(); ++i)
-      normals[i] = normalized(normals[i]) == Vec3d() ? oldNormals[i] : normalized(normals[i]);
+/// What varies with the variables of a surface changes in ways that shaders know nothing of. Where
+/// one has looked for the normal of what has moved and found it unchanged, this finds it: the mean
+/// over the facets at a point, but for those beyond a crease.
+void findNormals(const Displacer &displacer, const std::vector<uint32_t> &placeOf, const Mesh &mesh,
+                 std::vector<Vec3d> &normals) {
+  bool anyMoved = false;
+  for (uint32_t corner = 0; corner < placeOf.size(); ++corner)
+    anyMoved |= placeOf[corner] != unused && displacer.isMoved(corner);
+  if (!anyMoved)
     return;
-  }
-  // The mean over the facets at a point, but for those beyond a crease.
   std::vector<std::vector<uint32_t>> around(mesh.points.size());
   std::vector<Vec3d> facets(mesh.triangles.size());
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -270,19 +283,12 @@ void Displacer::findNormals() {
   }
   for (uint32_t corner = 0; corner < normals.size(); ++corner) {
     uint32_t place = placeOf[corner];
-    Vec3d own = normalized(normals[corner]), old = normalized(oldNormals[corner]);
-    normals[corner] = oldNormals[corner];
-    if (place == ~uint32_t(0))
+    if (place == unused || displacer.isTurned(corner))
       continue;
-    // One that the shader has turned is its own.
-    if (own != Vec3d() && dot(own, old) < 1 - 1e-6) {
-      normals[corner] = own;
-      continue;
-    }
     Vec3d sum;
     for (uint32_t other : around[mesh.triangles[place / 3][place % 3]]) {
       uint32_t itsCorner = mesh.corners[other / 3][other % 3];
-      if (dot(oldNormals[itsCorner], oldNormals[corner]) > 0.9)
+      if (dot(displacer.oldNormals[itsCorner], displacer.oldNormals[corner]) > 0.9)
         sum += facets[other / 3];
     }
     if (normalized(sum) != Vec3d())
@@ -299,9 +305,57 @@ void anysl::render::displace(const Scene &scene, const Shader &shader,
                              Mesh &mesh) {
   if (mesh.triangles.empty())
     return;
+  if (mesh.corners.empty())
+    mesh.corners = mesh.triangles;
+  const std::vector<uint32_t> placeOf = placesOfCorners(mesh);
+  if (mesh.parameters.empty())
+    keepParameters(placeOf, mesh);
   Displacer displacer(scene, shader, bound, shape, layout, mesh);
-  if (scene.real() == ANYSL_REAL_DOUBLE)
-    displacer.run<double>();
-  else
-    displacer.run<float>();
+  displacer.run(uint32_t(placeOf.size()), Domain::Corner, [&](uint32_t corner) {
+    uint32_t place = placeOf[corner] == unused ? 0 : placeOf[corner]; // a corner of no facet
+    Displacer::Start start;
+    start.hit.primitive = place / 3;
+    start.hit.u = place % 3 == 1;
+    start.hit.v = place % 3 == 2;
+    return start;
+  });
+  movePoints(displacer, placeOf, mesh);
+  findTangents(mesh);
+  mesh.normals.name = "N";
+  mesh.normals.type = ValueType::Normal;
+  mesh.normals.domain = Domain::Corner;
+  mesh.normals.components = 3;
+  mesh.normals.values.clear();
+  std::vector<Vec3d> normals;
+  for (uint32_t corner = 0; corner < placeOf.size(); ++corner)
+    normals.push_back(displacer.newNormal(corner));
+  if (displacer.findsNormals())
+    findNormals(displacer, placeOf, mesh, normals);
+  for (const Vec3d &n : normals)
+    for (int k = 0; k < 3; ++k)
+      mesh.normals.values.push_back(float(n[k]));
+}
+
+void anysl::render::displace(const Scene &scene, const Shader &shader,
+                             std::span<const Binding> bound, const Shape &shape, AnyslLayout layout,
+                             PointSet &points) {
+  bool perspective = scene.description.camera.perspective;
+  Displacer displacer(scene, shader, bound, shape, layout, points);
+  displacer.run(uint32_t(points.vertices.size()), Domain::Point, [&](uint32_t i) {
+    Displacer::Start start;
+    start.hit.primitive = i;
+    // A ball is moved by what faces the eye.
+    const auto &[x, y, z, radius] = points.vertices[i];
+    Vec3d center(x, y, z);
+    Vec3d toEye = perspective ? normalized(-center) : Vec3d(0, 0, -1);
+    start.origin = Vec3f(points.normals.empty() ? center + toEye * double(radius) : center);
+    return start;
+  });
+  for (uint32_t i = 0; i < points.vertices.size(); ++i) {
+    Vec3d way = displacer.newPlace(i) - displacer.oldPlaces[i], normal = displacer.newNormal(i);
+    for (int k = 0; k < 3; ++k)
+      points.vertices[i][size_t(k)] += float(way[k]);
+    if (!points.normals.empty())
+      points.normals[i] = Vec3f(normal);
+  }
 }

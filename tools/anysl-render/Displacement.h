@@ -8,6 +8,7 @@
 #ifndef ANYSL_RENDER_DISPLACEMENT_H
 #define ANYSL_RENDER_DISPLACEMENT_H
 
+#include "tools/anysl-render/PointSet.h"
 #include "tools/anysl-render/Scene.h"
 
 namespace anysl::render {
@@ -23,11 +24,14 @@ inline constexpr const char *displacementPrefix = "displacement:";
 /// derivatives that belong there. Corners at a point go together: to the mean of where each would
 /// go, so that the mesh stays whole.
 ///
-/// Where the shader assigns N and gives it another direction, or leaves P in its place, the normals
-/// are the shader's; where it assigns N and P moves alone, they are those of the moved surface;
-/// otherwise they stay what they were.
+/// Where the shader assigns N, the normals are the shader's; otherwise they stay what they were.
+/// Where it has looked for the normals of what has moved, and what it knows has not turned them,
+/// they are those of the mesh.
 void displace(const Scene &scene, const Shader &shader, std::span<const Binding> bound,
               const Shape &shape, AnyslLayout layout, Mesh &mesh);
+/// The same for particles, which keep their sizes. Balls have the normals of balls.
+void displace(const Scene &scene, const Shader &shader, std::span<const Binding> bound,
+              const Shape &shape, AnyslLayout layout, PointSet &points);
 
 } // namespace anysl::render
 

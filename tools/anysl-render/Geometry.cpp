@@ -60,8 +60,7 @@ void reportEmbreeError(void *, RTCError code, const char *message) {
 } // namespace
 
 Geometry::Geometry(const SceneDescription &description, const Camera &camera,
-                   std::span<const uint32_t> groupOfShape,
-                   const std::function<void(uint32_t, Mesh &)> &displace) {
+                   std::span<const uint32_t> groupOfShape, const Displace &displace) {
   device = rtcNewDevice(nullptr);
   if (!device)
     throw UserError("Embree cannot start on this machine");
@@ -86,7 +85,7 @@ Geometry::Geometry(const SceneDescription &description, const Camera &camera,
         if (std::holds_alternative<PolygonShape>(shape.geometry))
           refine(*mesh, fine);
         mesh->itsOwner = owner;
-        displace(i, *mesh);
+        displace(i, mesh.get());
         attach(std::move(mesh), mask);
         continue;
       }
@@ -103,9 +102,13 @@ Geometry::Geometry(const SceneDescription &description, const Camera &camera,
     const auto *curves = std::get_if<CurvesShape>(&shape.geometry);
     if (curves && !findParameter(shape.variables, "N"))
       surface = std::make_unique<CurveSet>(*curves, shape.variables, placement);
-    else if (std::holds_alternative<PointsShape>(shape.geometry))
-      surface = std::make_unique<PointSet>(shape.variables, placement);
-    else
+    else if (std::holds_alternative<PointsShape>(shape.geometry)) {
+      auto points = std::make_unique<PointSet>(shape.variables, placement);
+      points->itsOwner = owner;
+      if (appearance.displacement >= 0 && displace)
+        displace(i, points.get());
+      surface = std::move(points);
+    } else
       surface = tessellate(shape, placement, dicing);
     surface->itsOwner = owner;
     attach(std::move(surface), mask);

@@ -10,12 +10,18 @@
 
 #include "lib/Rib/Camera.h"
 #include "tools/anysl-render/Mesh.h"
+#include "tools/anysl-render/PointSet.h"
 
 #include <functional>
 #include <memory>
 #include <span>
+#include <variant>
 
 namespace anysl::render {
+
+/// What a displacement shader moves, and what lets it do so by the number of the shape.
+using DisplacedSurface = std::variant<Mesh *, PointSet *>;
+using Displace = std::function<void(uint32_t shape, DisplacedSurface surface)>;
 
 /// Kinds of ray, as bits of Embree's mask.
 enum RayMask : unsigned {
@@ -61,10 +67,9 @@ void evaluateSurface(const SurfaceSet &set, const Hit &hit, Vec3f origin, Vec3f 
 class Geometry {
 public:
   /// `groupOfShape` says for each shape of the description which group its hits belong to.
-  /// `displace` moves the facets of a shape that has a displacement shader.
+  /// `displace` moves the facets or particles of a shape that has a displacement shader.
   Geometry(const SceneDescription &description, const Camera &camera,
-           std::span<const uint32_t> groupOfShape,
-           const std::function<void(uint32_t shape, Mesh &)> &displace = nullptr);
+           std::span<const uint32_t> groupOfShape, const Displace &displace = nullptr);
   ~Geometry();
   Geometry(const Geometry &) = delete;
   Geometry &operator=(const Geometry &) = delete;

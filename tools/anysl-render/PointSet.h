@@ -27,10 +27,11 @@ public:
     byU = byV = 0; // one value for the whole of a point
   }
 
-private:
-  Placement placement;
   std::vector<std::array<float, 4>> vertices; ///< place and radius
   std::vector<Vec3f> normals;                 ///< none: spheres
+
+private:
+  Placement placement;
 };
 
 } // namespace anysl::render

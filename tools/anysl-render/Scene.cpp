@@ -31,13 +31,14 @@ Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const Anys
   loadShaders(cache, services, warnings);
   makeGroups(services, warnings);
   displacements.resize(description.shapes.size());
-  auto move = [&](uint32_t index, Mesh &mesh) {
+  auto move = [&](uint32_t index, DisplacedSurface surface) {
     const Shape &shape = description.shapes[index];
     int number = description.appearances[shape.appearance].displacement;
     ShapeBindings found = bind(shape, *shaders[size_t(number)], warnings);
     const Shader &shader = *specialise(number, found.constant, displacementServices, warnings);
     displacements[index] = &shader;
-    displace(*this, shader, found.varying, shape, layout, mesh);
+    std::visit([&](auto *moved) { displace(*this, shader, found.varying, shape, layout, *moved); },
+               surface);
   };
   surfaces = std::make_unique<Geometry>(description, camera, groupOfShape, move);
 }
