@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "Batch.h"
+#include <cmath>
 #include <string>
 
 namespace {
@@ -190,6 +191,30 @@ TEST_CASE("the shadow of a light shader comes from where L ends, or from far alo
   light.flags |= ANYSL_LIGHT_FAR;
   sample(batch, light, {1, 2, 3});
   CHECK((to[0] == 1 && to[1] == 2 && to[2] > 1e10));
+}
+
+TEST_CASE("rays for shadows end where a light is, or far away in its direction") {
+  Batch batch;
+  AnyslLight light = {};
+  batch.args.lights = &light, batch.args.light_count = 1;
+  light.from[0] = 1, light.from[1] = 2, light.from[2] = 3;
+  light.direction[2] = -1;
+  const anysl_point P(4, 0, 1);
+  const anysl_vector L(0, 3, 4);
+  auto endOf = [&](uint32_t kind, uint32_t flags) {
+    light.kind = kind, light.flags = flags;
+    anysl_point end;
+    batch.shade(0,
+                [&](anysl_context *context) { use<anysl_light_end>()(&end, context, 0, &P, &L); });
+    return end;
+  };
+  checkVector(endOf(ANYSL_LIGHT_POINT, 0), 1, 2, 3);
+  checkVector(endOf(ANYSL_LIGHT_SPOT, 0), 1, 2, 3);
+  checkVector(endOf(ANYSL_LIGHT_SHADER, 0), 4, 3, 5);
+  anysl_point far = endOf(ANYSL_LIGHT_DISTANT, 0);
+  CHECK((far.x == 4 && far.y == 0 && far.z > 1e9));
+  far = endOf(ANYSL_LIGHT_SHADER, ANYSL_LIGHT_FAR); // 3 to 4
+  CHECK((far.y > 1e9 && std::fabs(double(far.y) * 4 / 3 - double(far.z)) < 1e6));
 }
 
 TEST_CASE("parameters of lights are asked for by name and type") {
