@@ -336,7 +336,7 @@ bool Preprocessor::evaluateCondition(SMLoc loc) {
   std::vector<Token> tokens;
   while (true) {
     Token token = lexRaw();
-    if (token.isOneOf(TokenKind::EndOfDirective, TokenKind::End) || ++made > MaxTokens)
+    if (token.isOneOf(TokenKind::EndOfDirective, TokenKind::End) || ++made > options.maxTokens)
       break;
     if (token.is(TokenKind::Identifier) && token.text == "defined") {
       Token name = lexRaw();

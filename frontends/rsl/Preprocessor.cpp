@@ -95,9 +95,9 @@ Token Preprocessor::lexRaw() {
 Token Preprocessor::lex() {
   while (true) {
     Token token = lexRaw();
-    if (++made > MaxTokens || gaveUp) {
+    if (++made > options.maxTokens || gaveUp) {
       if (!gaveUp)
-        diags.error(token.loc, "macros expand to more than " + Twine(MaxTokens) + " words");
+        diags.error(token.loc, "macros expand to more than " + Twine(options.maxTokens) + " words");
       gaveUp = incomplete = true;
       Token end;
       end.loc = end.end = token.loc;
@@ -180,7 +180,7 @@ bool Preprocessor::expandFunction(const Token &name, Macro &macro) {
           .note(macro.name.loc, "macro '" + name.text + "' is defined here");
       return true;
     }
-    if (++made > MaxTokens)
+    if (++made > options.maxTokens)
       return true;
     if (token.is(TokenKind::RightParen) && depth-- == 0)
       break;
@@ -308,7 +308,7 @@ std::vector<Token> Preprocessor::substitute(const Token &name, const Macro &macr
     pasteNext = false;
     out.insert(out.end(), piece.begin() + static_cast<ptrdiff_t>(from), piece.end());
     made += piece.size();
-    if (made > MaxTokens)
+    if (made > options.maxTokens)
       break;
   }
   for (Token &token : out)

@@ -20,6 +20,8 @@ struct PreprocessorOptions {
   std::vector<std::string> includeDirs;
   /// NAME or NAME=VALUE, as after -D.
   std::vector<std::string> defines;
+  /// More words than any shader has; macros that multiply are stopped here.
+  size_t maxTokens = 4u << 20;
 };
 
 /// Turns a file into the words that the parser sees, as a C preprocessor does: #include, #define
@@ -40,9 +42,6 @@ public:
   llvm::ArrayRef<std::string> dependencies() const { return files; }
 
 private:
-  /// More words than any shader has; macros that multiply are stopped here.
-  static constexpr size_t MaxTokens = 4u << 20;
-
   struct Macro {
     Token name;
     std::vector<llvm::StringRef> parameters;

@@ -95,6 +95,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   diags.setAllWarnings(true);
   LLVMContext context;
   rsl::FrontendOptions options;
+  options.preprocessor.maxTokens = 1u << 16; // as strange as more of them, and sooner done
   options.text = StringRef(reinterpret_cast<const char *>(data), size);
   rsl::FrontendResult result = rsl::compile("fuzzer.sl", options, diags, context);
   if ((result.module != nullptr) == diags.hasErrors())
