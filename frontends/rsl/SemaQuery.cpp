@@ -45,16 +45,20 @@ Expr *Sema::checkQuery(CallExpr &call) {
     call.hasEffects = true;
     return checkLightSource(call);
   }
-  bool bad = false, varying = false;
+  // A function's parameter counts as varying though texts are commonly the same everywhere.
+  bool bad = false, varying = false, isPassedText = true;
   for (size_t i = 0; i < texts; ++i) {
     Expr *&arg = call.args[i];
     arg = checkAs(arg, {TypeKind::String}, "argument " + Twine(i + 1) + " of '" + call.name + "'");
+    auto *name = dyn_cast<NameExpr>(arg);
+    isPassedText &=
+        !arg->type.varying || (name && name->decl && name->decl->kind == VarKind::FunctionParam);
     varying |= arg->type.varying;
     bad |= arg->type.isError();
   }
   Expr *&variable = call.args[texts];
   variable = check(variable);
-  checkTarget(variable, varying, variable->loc,
+  checkTarget(variable, varying && !isPassedText, variable->loc,
               ("output argument " + Twine(texts + 1) + " of '" + call.name + "'").str());
   call.hasEffects = true;
   Type type = variable->type;

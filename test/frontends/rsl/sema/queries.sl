@@ -37,3 +37,7 @@ surface queries(uniform float u = 1; uniform string file = "wood.tex"; float fix
 // Names of built-ins that are the shader's own.
 float attribute(string a; float b) { return b; }
 surface own(float option = 1) { Ci = attribute("x", option); }
+
+// Texts that come through a function are commonly the same everywhere.
+float widthOf(string file) { uniform float size[2] = {0, 0}; textureinfo(file, "resolution", size); return size[0]; }
+surface wide(string file = "") { Ci = widthOf(file); }
