@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 /** Changes when any structure below does; a library of another version is refused. */
-#define ANYSL_ABI_VERSION 3
+#define ANYSL_ABI_VERSION 4
 /** The first field of AnyslLibraryInfo: "AnSL" read as a little-endian number. */
 #define ANYSL_MAGIC 0x4c536e41u
 /** The one symbol that a shader library exports, an AnyslLibraryInfo. */
@@ -112,8 +112,10 @@ typedef struct AnyslLight {
   float cos_inner;    /**< spot: full light where it is above this */
   float beam;         /**< spot: exponent of the cosine */
   const char *category; /**< the categories that it belongs to, comma-separated; null: none */
-  const void *shader;   /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
-  const char *handle;   /**< what getlights() calls it, a name that call_method knows; null: left out */
+  const void
+      *shader; /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
+  const char
+      *handle; /**< what getlights() calls it, a name that call_method knows; null: left out */
 } AnyslLight;
 
 struct AnyslShadeArgs;
@@ -153,11 +155,12 @@ typedef void AnyslTextureService(void *renderer, const struct AnyslShadeArgs *ar
                                  const AnyslTexturePoints *points, float *result);
 
 /**
- * Values that one shader hands to another, or asks for. `what` names them; their numbers lie one after
- * the other in `numbers`, their texts in `texts`. A value is described by a letter, f for a float, t
- * for a color, point, vector or normal, m for a matrix (row by row), s for text, and, of an array, its
- * length: f4. f*4 is an array of at most four floats, whose length lies in `numbers` before them; there
- * is room for all. Names and letters are apart by colons, values by commas: "intensity:f,from:t,name:s".
+ * Values that one shader hands to another, or asks for. `what` names them; their numbers lie one
+ * after the other in `numbers`, their texts in `texts`. A value is described by a letter, f for a
+ * float, t for a color, point, vector or normal, m for a matrix (row by row), s for text, and, of
+ * an array, its length: f4. f*4 is an array of at most four floats, whose length lies in `numbers`
+ * before them; there is room for all. Names and letters are apart by colons, values by commas:
+ * "intensity:f,from:t,name:s".
  */
 typedef struct AnyslMessage {
   uint32_t struct_size;
@@ -169,6 +172,21 @@ typedef struct AnyslMessage {
   const char **texts; /**< never null pointers in it */
 } AnyslMessage;
 
+/**
+ * How rays change from point to point, for each number an array with one element a point: the
+ * derivatives of their origins P and directions R (of any length) by u and v, and du and dv of the
+ * points, how far the next one lies.
+ */
+typedef struct AnyslRayDerivatives {
+  uint32_t struct_size;
+  const float *P_by_u[3];
+  const float *P_by_v[3];
+  const float *R_by_u[3];
+  const float *R_by_v[3];
+  const float *du;
+  const float *dv;
+} AnyslRayDerivatives;
+
 /** What rays meet first, for each number an array with one element a point. */
 typedef struct AnyslHits {
   uint32_t struct_size;
@@ -178,10 +196,11 @@ typedef struct AnyslHits {
   float *Ng[3];    /**< the geometric normal there, likewise */
   float *color[3]; /**< what the surface sends back; of a ray that met nothing, what arrives */
   float *opacity[3];
-  AnyslMessage *values;   /**< one for each point, or null: what else is asked about a surface, named
-                               "surface:NAME", "displacement:NAME" (parameters of the shader, after it
-                               has run), "primitive:NAME" (a primitive variable) or "attribute:NAME"; what
-                               is not there is left as it is */
+  AnyslMessage *values; /**< one for each point, or null: what else is asked about a surface, named
+                             "surface:NAME", "displacement:NAME" (parameters of the shader, after it
+                             has run), "primitive:NAME" (a primitive variable) or "attribute:NAME";
+                           what is not there is left as it is */
+  const AnyslRayDerivatives *change; /**< how the rays change; null: it is not known */
 } AnyslHits;
 
 /** What shaders ask for by name, by the names of QueryKinds.def: ANYSL_QUERY_attribute, ... */
@@ -198,8 +217,8 @@ typedef enum AnyslQueryKind {
 typedef struct AnyslQuery {
   uint32_t kind;         /**< AnyslQueryKind */
   uint32_t type;         /**< AnyslType of the variable; ANYSL_VECTOR also for points and normals */
-  uint32_t array_length; /**< of the variable; 0: not an array; ANYSL_ANY_LENGTH: the value's, and an
-                              element that it does not have gives 0 */
+  uint32_t array_length; /**< of the variable; 0: not an array; ANYSL_ANY_LENGTH: the value's, and
+                            an element that it does not have gives 0 */
   uint32_t element;      /**< of the variable: which of its elements is wanted */
   uint32_t light;        /**< lightsource: the light's number in AnyslShadeArgs::lights */
   uint32_t reserved;
@@ -274,9 +293,9 @@ typedef struct AnyslServices {
                     uint32_t width, uint32_t mask, const float *const P[3], const float *const R[3],
                     const float *reach, const AnyslHits *hits);
   /**
-   * Runs the light shader args->lights[light] for a position P with normal N: nine numbers, L from P
-   * to the light, Cl and Ol. L is zero where no light arrives. light, light_packet, light_value and
-   * light_sent are libanysl's own where they are all null.
+   * Runs the light shader args->lights[light] for a position P with normal N: nine numbers, L from
+   * P to the light, Cl and Ol. L is zero where no light arrives. light, light_packet, light_value
+   * and light_sent are libanysl's own where they are all null.
    */
   void (*light)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, uint32_t light,
                 const double P[3], const double N[3], double result[9]);
@@ -285,18 +304,20 @@ typedef struct AnyslServices {
                        const float *N, float *result);
   /**
    * A parameter of any light as it is for that position, with what `sent` (null: nothing) tells it:
-   * answers a question of kind `lightsource`, as `query` does. The standard kinds have __nondiffuse,
+   * answers a question of kind `lightsource`, as `query` does. The standard kinds have
+   * __nondiffuse,
    * __nonspecular, __category and from.
    */
   int (*light_value)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
                      uint32_t light, const double P[3], const double N[3], const AnyslMessage *sent,
                      const AnyslQuery *query, AnyslCell *value);
   /**
-   * Calls a method of another shader at one point. Gives 1 if there are such a shader and method, else
-   * 0; libanysl's anysl_method_call() does it. message->what is
-   *   "bump(tf3s)f"  a name, the arguments' letters and the result's (v: none); numbers and texts are
-   *                  the arguments', and afterwards what the method made of them; the result's lie behind
-   *   ".Kd:f"        a parameter, which is set to its value if it is of this type or one that converts
+   * Calls a method of another shader at one point. Gives 1 if there are such a shader and method,
+   * else 0; libanysl's anysl_method_call() does it. message->what is "bump(tf3s)f"  a name, the
+   * arguments' letters and the result's (v: none); numbers and texts are the arguments', and
+   * afterwards what the method made of them; the result's lie behind
+   *   ".Kd:f"        a parameter, which is set to its value if it is of this type or one that
+   * converts
    *   ""             whether there is such a shader
    * Neutral: 0.
    */
@@ -316,14 +337,22 @@ typedef struct AnyslServices {
    */
   int (*query)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
                const AnyslQuery *query, AnyslCell *value);
-  /** As `light`, of a light shader whose parameters named in `sent` have these values, if they can take
-      them as the shading language would assign them. One of the four that are libanysl's own. */
-  void (*light_sent)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point, uint32_t light,
-                     const double P[3], const double N[3], const AnyslMessage *sent,
+  /** As `light`, of a light shader whose parameters named in `sent` have these values, if they can
+     take them as the shading language would assign them. One of the four that are libanysl's own.
+   */
+  void (*light_sent)(void *renderer, const struct AnyslShadeArgs *args, uint32_t point,
+                     uint32_t light, const double P[3], const double N[3], const AnyslMessage *sent,
                      double result[9]);
-  /** Something that a shader cannot do and leaves out, with its place. libanysl's own writes each text
-      once, to the standard error output. */
+  /** Something that a shader cannot do and leaves out, with its place. libanysl's own writes each
+     text once, to the standard error output. */
   void (*warn)(void *renderer, const struct AnyslShadeArgs *args, const char *text);
+  /** As trace_packet, for rays of which is known how they change, so that what they meet knows how
+      much of it a pixel sees; P, R and the colour have an array for each component. Where it is
+     null, or the shader's numbers carry no derivatives, trace or trace_packet is asked. */
+  void (*trace_derivatives)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
+                            uint32_t width, uint32_t mask, const float *const P[3],
+                            const float *const R[3], const AnyslRayDerivatives *change,
+                            float *const color[3]);
 } AnyslServices;
 
 /** The name by which a shader asks for the name of another, or of itself, as a string. */
@@ -345,6 +374,10 @@ typedef struct AnyslShadeArgs {
                                 point p of a type with n components is at
                                 SoA: [(e*n + c) * data_stride + p],
                                 AoS: [(e * data_stride + p) * n + c] */
+  void *const *param_by_u; /**< the derivatives of those values by u, laid out alike; null, or null
+                                for a parameter: 0. Only of parameters with
+                                ANYSL_PARAM_DIFFERENTIATED are they read */
+  void *const *param_by_v; /**< and by v */
   void *const *globals;    /**< as AnyslLayout says; only those the shader names need be there.
                                 Uniform globals: SoA one value, AoS taken from each point */
   size_t data_stride;      /**< in param_data: points from one component (SoA) or array element
@@ -373,7 +406,9 @@ typedef void (*AnyslShadeFunction)(const AnyslShadeArgs *args, uint32_t first, u
 enum {
   ANYSL_PARAM_VARYING = 1,
   ANYSL_PARAM_OUTPUT = 2,
-  ANYSL_PARAM_FIXED = 4 /**< given to anysl-link */
+  ANYSL_PARAM_FIXED = 4,         /**< given to anysl-link */
+  ANYSL_PARAM_DIFFERENTIATED = 8 /**< the shader reads its derivatives where it has values point by
+                                      point */
 };
 
 typedef struct AnyslParamInfo {

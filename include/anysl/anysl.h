@@ -45,11 +45,12 @@ extern "C" {
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
 ANYSL_ASSERT_SIZE(AnyslLight, 80);
-ANYSL_ASSERT_SIZE(AnyslServices, 192);
+ANYSL_ASSERT_SIZE(AnyslServices, 200);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
 ANYSL_ASSERT_SIZE(AnyslTexturePoints, 96);
-ANYSL_ASSERT_SIZE(AnyslHits, 120);
-ANYSL_ASSERT_SIZE(AnyslShadeArgs, 128);
+ANYSL_ASSERT_SIZE(AnyslHits, 128);
+ANYSL_ASSERT_SIZE(AnyslRayDerivatives, 120);
+ANYSL_ASSERT_SIZE(AnyslShadeArgs, 144);
 ANYSL_ASSERT_SIZE(AnyslQuery, 40);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
 ANYSL_ASSERT_SIZE(AnyslEntryInfo, 16);
@@ -216,22 +217,21 @@ ANYSL_API int anysl_method_call(const AnyslInstance *instance, const AnyslShadeA
                                 uint32_t point, AnyslMessage *message);
 
 /**
- * The same for the light of \p args that has this handle, which getlights() gave a shader. Of a light
- * of a standard kind it reads what AnyslServices::light_value knows. Gives 0 where there is no such
- * light.
+ * The same for the light of \p args that has this handle, which getlights() gave a shader. Of a
+ * light of a standard kind it reads what AnyslServices::light_value knows. Gives 0 where there is
+ * no such light.
  */
 ANYSL_API int anysl_light_call(const AnyslShadeArgs *args, uint32_t point, const char *handle,
                                AnyslMessage *message);
 
 /**
- * Sets the values that a message of AnyslHits asks for: \p ask is called with \p data and a question
- * of kind surface, displacement, attribute or ANYSL_QUERY_PRIMITIVE. Where it gives 0 the value
- * stays as it is.
+ * Sets the values that a message of AnyslHits asks for: \p ask is called with \p data and a
+ * question of kind surface, displacement, attribute or ANYSL_QUERY_PRIMITIVE. Where it gives 0 the
+ * value stays as it is.
  */
-ANYSL_API void anysl_message_answer(AnyslMessage *message,
-                                    int (*ask)(void *data, const AnyslQuery *query,
-                                               AnyslCell *value),
-                                    void *data);
+ANYSL_API void
+anysl_message_answer(AnyslMessage *message,
+                     int (*ask)(void *data, const AnyslQuery *query, AnyslCell *value), void *data);
 
 /*===-- Batches -------------------------------------------------------------===*/
 

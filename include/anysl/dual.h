@@ -26,6 +26,9 @@
 // The domain's functions of plain numbers; <anysl/real.h>, which it includes, is being read.
 #include <anysl/domain.h>
 
+/// hasDerivatives<anysl_float>, for the preprocessor.
+#define ANYSL_REAL_HAS_DERIVATIVES 1
+
 namespace anysl {
 
 //===-- Arithmetic of derivatives -------------------------------------------------------------===//

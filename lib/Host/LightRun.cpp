@@ -92,12 +92,12 @@ private:
     put(global, component, lanes);
   }
 
-  /// Copies a component from the surface's batch. Uniform globals have one value there where they
-  /// lie as structures of arrays.
+  /// Copies a component of `source` in the surface's batch. Uniform globals have one value there
+  /// where they lie as structures of arrays.
   template <class SurfaceReal>
-  void copy(int global, int component, uint32_t lanes) {
+  void copy(int global, int source, int component, uint32_t lanes) {
     bool fromSoa = surface.library->layout == ANYSL_LAYOUT_SOA;
-    int at = firstComponents[global] + component;
+    int at = firstComponents[source] + component;
     auto *from = static_cast<const SurfaceReal *>(surface.globals[fromSoa ? at : 0]);
     double values[laneCount] = {};
     for (uint32_t rest = lanes; rest; rest &= rest - 1) {
@@ -156,18 +156,23 @@ private:
     case ANYSL_Cl:
     case ANYSL_Ci:
     case ANYSL_Oi:
-    case ANYSL_dNdu: // the light's own, which are those of one place
+    case ANYSL_dPdu: // the light's own, which are those of one place
+    case ANYSL_dPdv:
+    case ANYSL_dNdu:
     case ANYSL_dNdv:
+    case ANYSL_dNgdu:
+    case ANYSL_dNgdv:
       return put(global, c, 0.0);
     default:
       break;
     }
-    if (!surface.library || !(surface.globals_given >> global & 1))
+    int source = globalOfSurface(global);
+    if (!surface.library || !(surface.globals_given >> source & 1))
       return put(global, c, global == ANYSL_ncomps ? 3.0 : global == ANYSL_alpha ? 1.0 : 0.0);
     if (surface.library->real == ANYSL_REAL_DOUBLE)
-      copy<double>(global, c, lanes);
+      copy<double>(global, source, c, lanes);
     else
-      copy<float>(global, c, lanes);
+      copy<float>(global, source, c, lanes);
   }
 
   /// Output parameters go to the answer, one after the other as their cells do.

@@ -51,6 +51,9 @@ inline bool isOutput(const AnyslParamInfo &param) { return param.flags & ANYSL_P
 void answerLanes(const AnyslShadeArgs &surface, uint32_t light, const AnyslCell *cells,
                  uint32_t first, uint32_t lanes, const Question &question, Answer &answer);
 
+/// The surface's global that is what a light shader sees as `global`.
+int globalOfSurface(int global);
+
 /// An output parameter's values at a lane, all elements.
 void readOutput(const AnyslInstance &light, const Answer &answer, const AnyslParamInfo &param,
                 uint32_t lane, AnyslCell *cells);

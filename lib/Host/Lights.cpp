@@ -5,7 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/Host/Internal.h"
+#include "lib/Host/LightRun.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -17,9 +17,10 @@ namespace {
 constexpr uint64_t bit(int global) { return uint64_t(1) << global; }
 
 /// What a light shader gets of the light and of the question itself; the rest is the surface's.
-constexpr uint64_t ofLight = bit(ANYSL_P) | bit(ANYSL_N) | bit(ANYSL_Ng) | bit(ANYSL_Ps) |
-                             bit(ANYSL_Ns) | bit(ANYSL_L) | bit(ANYSL_Cl) | bit(ANYSL_Ol) |
-                             bit(ANYSL_Ci) | bit(ANYSL_Oi);
+constexpr uint64_t ofLight =
+    bit(ANYSL_P) | bit(ANYSL_N) | bit(ANYSL_Ng) | bit(ANYSL_Ps) | bit(ANYSL_Ns) | bit(ANYSL_L) |
+    bit(ANYSL_Cl) | bit(ANYSL_Ol) | bit(ANYSL_Ci) | bit(ANYSL_Oi) | bit(ANYSL_dPdu) |
+    bit(ANYSL_dPdv) | bit(ANYSL_dNdu) | bit(ANYSL_dNdv) | bit(ANYSL_dNgdu) | bit(ANYSL_dNgdv);
 
 /// The bit of AnyslShaderInfo::effects of an entry of lib/STC/Effects.def.
 constexpr uint32_t solarEffect = 1u << 15;
@@ -100,6 +101,21 @@ AnyslStatus makeStandard(uint32_t kind, const AnyslStandardLight &values, AnyslL
 
 } // namespace
 
+int anysl::host::globalOfSurface(int global) {
+  switch (global) {
+  case ANYSL_dPsdu:
+    return ANYSL_dPdu;
+  case ANYSL_dPsdv:
+    return ANYSL_dPdv;
+  case ANYSL_dNsdu:
+    return ANYSL_dNdu;
+  case ANYSL_dNsdv:
+    return ANYSL_dNdv;
+  default:
+    return global;
+  }
+}
+
 extern "C" {
 
 AnyslStatus anysl_light_from_instance(const AnyslInstance *instance, AnyslLight *light) {
@@ -117,11 +133,14 @@ AnyslStatus anysl_light_standard(uint32_t kind, const AnyslStandardLight *values
 }
 
 uint64_t anysl_lights_globals(const AnyslLight *lights, uint32_t count) {
-  uint64_t globals = 0;
+  uint64_t read = 0, globals = 0;
   for (uint32_t i = 0; i < count; ++i)
     if (lights[i].kind == ANYSL_LIGHT_SHADER)
-      globals |= static_cast<const AnyslInstance *>(lights[i].shader)->shader->globals_read;
-  return globals & ~ofLight;
+      read |= static_cast<const AnyslInstance *>(lights[i].shader)->shader->globals_read;
+  for (int global = 0; global < ANYSL_GLOBAL_COUNT; ++global)
+    if ((read & ~ofLight) >> global & 1)
+      globals |= uint64_t(1) << globalOfSurface(global);
+  return globals;
 }
 
 } // extern "C"

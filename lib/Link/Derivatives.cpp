@@ -34,6 +34,26 @@ void addInput(Shader &shader, const stc::GlobalVariableInfo &global) {
   shader.report.globalsRead.push_back(global.name.str());
 }
 
+/// Marks the parameters of which a derivative is still looked up.
+void resolveDerivativeParams(Session &session) {
+  for (Shader &shader : session.shaders)
+    shader.differentiated.resize(shader.info.params.size());
+  Function *lookup = session.module->getFunction(derivativeParam);
+  if (!lookup)
+    return;
+  for (User *user : make_early_inc_range(lookup->users())) {
+    auto *call = cast<CallInst>(user);
+    Value *number = call->getArgOperand(0);
+    for (Shader &shader : session.shaders)
+      if (auto *constant = dyn_cast<ConstantInt>(number);
+          constant && call->getFunction() == shader.point)
+        shader.differentiated.set(unsigned(constant->getZExtValue()));
+    call->replaceAllUsesWith(number);
+    call->eraseFromParent();
+  }
+  lookup->eraseFromParent();
+}
+
 } // namespace
 
 bool carriesDerivatives(const Module &module) {
@@ -41,6 +61,7 @@ bool carriesDerivatives(const Module &module) {
 }
 
 void resolveDerivativeInputs(Session &session) {
+  resolveDerivativeParams(session);
   uint32_t component = 0;
   for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
     uint32_t first = component;

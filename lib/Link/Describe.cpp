@@ -86,9 +86,10 @@ private:
     return u32(uint32_t(*value));
   }
 
-  Constant *paramInfo(const stc::ParamInfo &param, bool fixed) {
+  Constant *paramInfo(const stc::ParamInfo &param, bool fixed, bool differentiated) {
     uint32_t flags = (param.storage == stc::Storage::Varying ? ANYSL_PARAM_VARYING : 0) |
-                     (param.output ? ANYSL_PARAM_OUTPUT : 0) | (fixed ? ANYSL_PARAM_FIXED : 0);
+                     (param.output ? ANYSL_PARAM_OUTPUT : 0) | (fixed ? ANYSL_PARAM_FIXED : 0) |
+                     (differentiated ? ANYSL_PARAM_DIFFERENTIATED : 0);
     return structure(sizeof(AnyslParamInfo),
                      {text(param.name), u32(uint32_t(param.type)), u32(flags),
                       u32(param.arrayLength), u32(param.firstCell)});
@@ -97,7 +98,8 @@ private:
   Constant *shaderInfo(const Shader &shader) {
     SmallVector<Constant *> params, entries;
     for (unsigned i = 0; i < shader.info.params.size(); ++i)
-      params.push_back(paramInfo(shader.info.params[i], shader.fixed[i]));
+      params.push_back(paramInfo(shader.info.params[i], shader.fixed[i],
+                                 i < shader.differentiated.size() && shader.differentiated[i]));
     for (const Entry &entry : shader.entries)
       entries.push_back(structure(sizeof(AnyslEntryInfo), {u32(entry.width), entry.function}));
     uint64_t read = 0, written = 0;

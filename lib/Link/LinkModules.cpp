@@ -72,7 +72,8 @@ public:
   /// Where a shader asks how a value changes; null if none does.
   const Origin *derivativeUse() const { return derivative ? &*derivative : nullptr; }
 
-  /// Whether some shader looks up pictures, whose filters are as wide as derivatives say.
+  /// Whether some shader looks up pictures, whose filters are as wide as derivatives say, or traces
+  /// rays that are to carry them.
   bool wantsDerivatives() const { return derivative || looksUp; }
 
   bool merge();
@@ -115,14 +116,16 @@ private:
 
   void request(StringRef name, const Origin &origin) {
     if (name.starts_with("llvm.") || name == "anysl_shader_body" || name == "anysl_shader_init" ||
-        name.starts_with(derivativeInputPrefix) || name == unknownDerivative)
+        name.starts_with(derivativeInputPrefix) || name == unknownDerivative ||
+        name == derivativeParam)
       return;
     const stc::OpInfo *op = stc::opOfSymbol(name);
     if (op && op->purity == stc::Purity::Structural)
       return;
     if (op && op->effect == stc::Effect::Derivatives && !derivative)
       derivative = origin;
-    looksUp |= op && op->effect == stc::Effect::Textures;
+    looksUp |= op && (op->effect == stc::Effect::Textures ||
+                      (op->effect == stc::Effect::Trace && session.options.rayDerivatives));
     GlobalValue *value = definition(name);
     if (op && (!value || value->getParent() == neutralOps) && !neutralMeaning(op->op).empty())
       declinedOp(*op, origin);

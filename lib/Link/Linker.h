@@ -48,6 +48,8 @@ struct LinkOptions {
   bool checkNaN = false;
   /// Leave every loop after so many rounds, and note that; 0: loops run as long as they do.
   unsigned maxLoop = 0;
+  /// Let traced rays carry their derivatives, for which the real has to.
+  bool rayDerivatives = false;
   /// Note what every operator does, for one point at a time (<anysl/notes.h>).
   bool traceOps = false;
   /// An operator of Neutral.def that nobody defines is an error, not its neutral value.

@@ -42,6 +42,8 @@ struct Shader {
   std::string symbol;
   /// Which parameters are constants.
   llvm::BitVector fixed;
+  /// Of which parameters derivatives are read, where they have values point by point.
+  llvm::BitVector differentiated;
   /// void (ptr args, i32 point), from `bind` on.
   llvm::Function *point = nullptr;
   /// void (ptr args): computes the defaults.
@@ -139,11 +141,14 @@ void keepArithmetic(llvm::Module &module);
 /// first component, if they want a derivative of it.
 inline constexpr llvm::StringLiteral derivativeInputPrefix = "anysl_derivative_input_";
 
+/// What the standard runtimes call with a parameter's number where they look up a derivative of it.
+inline constexpr llvm::StringLiteral derivativeParam = "anysl_derivative_param";
+
 /// What the operators read for a derivative of higher order than the real's.
 inline constexpr llvm::StringLiteral unknownDerivative = "anysl_unknown_derivative";
 
 /// Enters the globals from which derivatives are still read among the shaders' inputs, and tells
-/// the runtime's code where they lie.
+/// the runtime's code where they lie; marks the parameters of which derivatives are.
 void resolveDerivativeInputs(Session &session);
 
 /// Gives the values and the derivatives of each array an array of their own. Says whether there was

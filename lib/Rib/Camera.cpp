@@ -49,6 +49,15 @@ Ray Camera::ray(double rasterX, double rasterY, uint32_t seed, double lensX, dou
   return ray;
 }
 
+RaySpread Camera::spread(Vec3f direction) const {
+  Vec3d right(pixelWidth(), 0, 0), down(0, pixelHeight(), 0);
+  if (!description.perspective)
+    return {{right, down}, {}};
+  // At depth z they are that far times z apart; a unit of length along the ray is less depth.
+  double depth = double(direction.z);
+  return {{}, {right * depth, down * depth}};
+}
+
 bool Camera::projection(std::string_view space, Matrix4 &matrix) const {
   bool ndc = space == "NDC", raster = space == "raster";
   if (space != "screen" && !ndc && !raster)

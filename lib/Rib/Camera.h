@@ -16,13 +16,20 @@ namespace anysl::render {
 
 struct Shader;
 
+/// How a ray differs from those through the pixels to the right and below, at its start (a ray
+/// differential; Igehy, Tracing Ray Differentials, 1999).
+struct RaySpread {
+  Vec3d origin[2], direction[2];
+};
+
 /// A ray with a direction of unit length.
 struct Ray {
   Vec3f origin, direction;
   float near = 0, far = 1e30f;
   uint32_t seed = 0;
   float travelled = 0; ///< from the eye, or where it was traced from, through surfaces up to here
-  const Shader *medium = nullptr; ///< the volume that it goes through; null: the atmosphere
+  const Shader *medium = nullptr;    ///< the volume that it goes through; null: the atmosphere
+  const RaySpread *spread = nullptr; ///< where `travelled` is 0; null: nobody has said
 };
 
 class Camera {
@@ -39,6 +46,9 @@ public:
   /// How many pixels across a unit of length is that stands at a place and is seen from in front,
   /// wherever the place lies: also beside and behind the camera, for things seen in mirrors.
   double pixelsPerUnit(Vec3d place) const;
+
+  /// How a ray from the eye differs from its neighbours.
+  RaySpread spread(Vec3f direction) const;
 
   bool isPerspective() const { return description.perspective; }
   /// How far the ray through the next pixel to the right, and downwards, lies from a ray: for a

@@ -140,6 +140,14 @@ void RibState::pixelSamples(RibArguments &arguments) {
   scene.samplesY = int(n[1]);
 }
 
+void RibState::hider(RibArguments &arguments) {
+  // All else steers how other kinds of renderer reach the same picture.
+  arguments.string("a name");
+  ParameterList parameters = arguments.parameters();
+  if (const Parameter *jitter = findParameter(parameters, "jitter"))
+    scene.jitter = jitter->numbers.empty() || jitter->numbers[0] != 0;
+}
+
 void RibState::pixelFilter(RibArguments &arguments) {
   std::string name = arguments.string("a name");
   auto n = arguments.numbers(2, "widths in x and y");

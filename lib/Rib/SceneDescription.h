@@ -243,6 +243,7 @@ struct TextureUse {
 struct SceneDescription {
   CameraDescription camera;
   int samplesX = 2, samplesY = 2;
+  bool jitter = true; ///< samples lie anywhere in their cells, not in the middle
   FilterKind filter = FilterKind::Gaussian;
   double filterWidthX = 2, filterWidthY = 2;
   double gain = 1, gamma = 1;

@@ -172,14 +172,19 @@ void Grid::valueAt(const Override &value, size_t point, double *result) const {
                     : value.from[c] + (value.to[c] - value.from[c]) * x;
 }
 
-/// How a global changes with u or v: as its ramp has it, else as given for the plain grid.
-void Grid::slopeAt(int global, bool byV, std::array<double, 3> plain, double *result) const {
+/// How a global changes with u or v: as its ramp has it, else as the plain grid does, where s and P
+/// follow u and t and P follow v.
+void Grid::slopeAt(int global, bool byV, double *result) const {
+  uint32_t components = anysl_global_components(global);
+  std::fill_n(result, components, 0);
   auto given = globalOverrides.find(global);
-  for (uint32_t c = 0; c < anysl_global_components(global); ++c) {
-    result[c] = plain[c];
-    if (given != globalOverrides.end() && given->second.from != given->second.to)
-      result[c] =
-          given->second.alongHeight == byV ? given->second.to[c] - given->second.from[c] : 0;
+  if (given != globalOverrides.end() && given->second.from != given->second.to) {
+    for (uint32_t c = 0; c < components && given->second.alongHeight == byV; ++c)
+      result[c] = given->second.to[c] - given->second.from[c];
+  } else if (global == ANYSL_P || global == ANYSL_Ps) {
+    result[byV ? 1 : 0] = 1;
+  } else if (global == (byV ? ANYSL_t : ANYSL_s)) {
+    result[0] = 1;
   }
 }
 
@@ -221,22 +226,12 @@ void Grid::globalAt(int global, size_t point, double *result) const {
   case ANYSL_v:
   case ANYSL_t:
     return put(v);
-  case ANYSL_dPdu:
-    return slopeAt(ANYSL_P, false, {1, 0, 0}, result);
-  case ANYSL_dPdv:
-    return slopeAt(ANYSL_P, true, {0, 1, 0}, result);
-  case ANYSL_dsdu:
-    return slopeAt(ANYSL_s, false, {1}, result);
-  case ANYSL_dsdv:
-    return slopeAt(ANYSL_s, true, {0}, result);
-  case ANYSL_dtdu:
-    return slopeAt(ANYSL_t, false, {0}, result);
-  case ANYSL_dtdv:
-    return slopeAt(ANYSL_t, true, {1}, result);
-  case ANYSL_dNdu:
-    return slopeAt(ANYSL_N, false, {0, 0, 0}, result);
-  case ANYSL_dNdv:
-    return slopeAt(ANYSL_N, true, {0, 0, 0}, result);
+#define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
+  case ANYSL_##byU:                                                                                \
+    return slopeAt(ANYSL_##name, false, result);                                                   \
+  case ANYSL_##byV:                                                                                \
+    return slopeAt(ANYSL_##name, true, result);
+#include <anysl/Globals.def>
   case ANYSL_du:
     return put(step(options.gridWidth));
   case ANYSL_dv:

@@ -72,7 +72,7 @@ private:
   void round(std::vector<double> &values) const;
   void valueAt(const Override &value, size_t point, double *result) const;
   void globalAt(int global, size_t point, double *result) const;
-  void slopeAt(int global, bool byV, std::array<double, 3> plain, double *result) const;
+  void slopeAt(int global, bool byV, double *result) const;
 
   GridOptions options;
   AnyslServices services;

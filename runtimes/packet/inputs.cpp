@@ -21,18 +21,12 @@ anysl_number &number(const anysl_context *context, uint32_t component, uint32_t 
   return array[size_t(context->point) * step];
 }
 
-/// Component number `component` of an element of a parameter given point by point, where a type has
-/// `components` of them.
 template <int components>
-anysl_number &varying(const anysl_context *context, uint32_t id, uint32_t element, int component) {
+anysl_number &inArrays(const anysl_context *context, void *const *arrays, uint32_t id,
+                       uint32_t element, int component) {
   const AnyslShadeArgs *args = context->args;
-  auto *values = static_cast<anysl_number *>(args->param_data[id]);
+  auto *values = static_cast<anysl_number *>(arrays[id]);
   return values[(size_t(element) * components + component) * args->data_stride + context->point];
-}
-
-bool isWanted(const anysl_context *context, uint32_t id) {
-  void *const *data = context->args->param_data;
-  return data && data[id];
 }
 
 } // namespace

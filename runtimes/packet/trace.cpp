@@ -14,7 +14,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "packet.h"
-#include <anysl/standard/context.h>
+#include <anysl/standard/ray-change.h>
 
 using namespace anysl;
 
@@ -52,6 +52,17 @@ ANYSL_VECTOR_VARIANT("_ZGV_LLVM_M8ulvvvvvv_packet_trace_distance", packet_trace_
 ANYSL_VECTOR_VARIANT("_ZGV_LLVM_M16ulvvvvvv_packet_trace_distance", packet_trace_distance_16)
 __attribute__((noinline)) Distance packet_trace_distance;
 
+// With how the ray changes; by address, as in standard/hit-call.h.
+#define TRACE_PARAMETERS                                                                           \
+  const AnyslShadeArgs *args, uint32_t point, const float *px, const float *py, const float *pz,   \
+      const float *rx, const float *ry, const float *rz, ANYSL_CHANGE_PARAMETERS, float *r,        \
+      float *g, float *b
+#define TRACE_LETTERS "ull4l4l4l4l4l4" ANYSL_CHANGE_LETTERS "l4l4l4"
+ANYSL_VECTOR_VARIANT("_ZGV_LLVM_M4" TRACE_LETTERS "_packet_trace_change", packet_trace_change_4)
+ANYSL_VECTOR_VARIANT("_ZGV_LLVM_M8" TRACE_LETTERS "_packet_trace_change", packet_trace_change_8)
+ANYSL_VECTOR_VARIANT("_ZGV_LLVM_M16" TRACE_LETTERS "_packet_trace_change", packet_trace_change_16)
+__attribute__((noinline)) void packet_trace_change(TRACE_PARAMETERS);
+
 } // extern "C"
 
 void packet_trace(const AnyslShadeArgs *args, uint32_t point, float px, float py, float pz,
@@ -77,6 +88,16 @@ float packet_trace_distance(const AnyslShadeArgs *args, uint32_t point, float px
   return float(services->trace_distance
                    ? services->trace_distance(args->renderer, args, point, P, R)
                    : farAway);
+}
+
+void packet_trace_change(TRACE_PARAMETERS) {
+  const float *const P[3] = {px, py, pz}, *const R[3] = {rx, ry, rz};
+  float *const color[3] = {r, g, b};
+  AnyslRayDerivatives change = rayDerivatives(ANYSL_CHANGE_ARGUMENTS);
+  if (args->services->trace_derivatives)
+    args->services->trace_derivatives(args->renderer, args, point, 1, 1, P, R, &change, color);
+  else
+    packet_trace(args, point, *px, *py, *pz, *rx, *ry, *rz, r, g, b);
 }
 
 //===-- W points ------------------------------------------------------------------------------===//
@@ -129,11 +150,28 @@ Lanes<W> askDistance(const AnyslShadeArgs *args, uint32_t first, uint32_t mask, 
   return load<W>(distance);
 }
 
+template <int W>
+void askWithChange(TRACE_PARAMETERS, uint32_t mask) {
+  const AnyslServices *services = args->services;
+  if (!services->trace_derivatives)
+    return ask<W>(services->trace_packet, packet_trace, args, point, mask,
+                  {load<W>(px), load<W>(py), load<W>(pz)}, {load<W>(rx), load<W>(ry), load<W>(rz)},
+                  r, g, b);
+  const float *const P[3] = {px, py, pz}, *const R[3] = {rx, ry, rz};
+  float *const color[3] = {r, g, b};
+  AnyslRayDerivatives change = rayDerivatives(ANYSL_CHANGE_ARGUMENTS);
+  services->trace_derivatives(args->renderer, args, point, W, mask, P, R, &change, color);
+}
+
 } // namespace
 
 #define WIDE_FORMS(W, Mask)                                                                        \
   extern "C" WideRay<W, Mask> packet_trace_##W, packet_transmission_##W;                           \
   extern "C" WideDistance<W, Mask> packet_trace_distance_##W;                                      \
+  extern "C" void packet_trace_change_##W(TRACE_PARAMETERS, Mask mask);                            \
+  void packet_trace_change_##W(TRACE_PARAMETERS, Mask mask) {                                      \
+    askWithChange<W>(args, point, px, py, pz, rx, ry, rz, ANYSL_CHANGE_ARGUMENTS, r, g, b, mask);  \
+  }                                                                                                \
   void packet_trace_##W(const AnyslShadeArgs *args, uint32_t first, Lanes<W> px, Lanes<W> py,      \
                         Lanes<W> pz, Lanes<W> rx, Lanes<W> ry, Lanes<W> rz, float *r, float *g,    \
                         float *b, Mask mask) {                                                     \
@@ -161,8 +199,17 @@ WIDE_FORMS(16, uint16_t)
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
   float r, g, b;
-  packet_trace(context->args, context->point, numberOf(P->x), numberOf(P->y), numberOf(P->z),
-               numberOf(R->x), numberOf(R->y), numberOf(R->z), &r, &g, &b);
+  if constexpr (hasDerivatives<anysl_float>) {
+    float px = numberOf(P->x), py = numberOf(P->y), pz = numberOf(P->z);
+    float rx = numberOf(R->x), ry = numberOf(R->y), rz = numberOf(R->z);
+    withRayChange(context, *P, *R, [&](auto... change) {
+      packet_trace_change(context->args, context->point, &px, &py, &pz, &rx, &ry, &rz, change...,
+                          &r, &g, &b);
+    });
+  } else {
+    packet_trace(context->args, context->point, numberOf(P->x), numberOf(P->y), numberOf(P->z),
+                 numberOf(R->x), numberOf(R->y), numberOf(R->z), &r, &g, &b);
+  }
   *result = {r, g, b};
 }
 

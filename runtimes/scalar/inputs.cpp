@@ -20,18 +20,12 @@ anysl_number &number(const anysl_context *context, uint32_t component, uint32_t)
   return points[size_t(context->point) * ANYSL_COMPONENT_COUNT + component];
 }
 
-/// Component number `component` of an element of a parameter given point by point, where a type has
-/// `components` of them.
 template <int components>
-anysl_number &varying(const anysl_context *context, uint32_t id, uint32_t element, int component) {
+anysl_number &inArrays(const anysl_context *context, void *const *arrays, uint32_t id,
+                       uint32_t element, int component) {
   const AnyslShadeArgs *args = context->args;
-  auto *values = static_cast<anysl_number *>(args->param_data[id]);
+  auto *values = static_cast<anysl_number *>(arrays[id]);
   return values[(size_t(element) * args->data_stride + context->point) * components + component];
-}
-
-bool isWanted(const anysl_context *context, uint32_t id) {
-  void *const *data = context->args->param_data;
-  return data && data[id];
 }
 
 } // namespace

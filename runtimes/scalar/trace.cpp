@@ -10,7 +10,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include <anysl/standard/context.h>
+#include <anysl/standard/ray-change.h>
 
 using namespace anysl;
 
@@ -18,13 +18,26 @@ namespace {
 
 constexpr double farAway = 1e30; // what a ray that the renderer does not trace has travelled
 
+/// `change` is how the ray changes (copyRayChange()); null: it is not known.
 __attribute__((noinline)) void scalarTrace(const AnyslShadeArgs *args, uint32_t point,
                                            anysl_number px, anysl_number py, anysl_number pz,
                                            anysl_number rx, anysl_number ry, anysl_number rz,
-                                           anysl_number *r, anysl_number *g, anysl_number *b) {
+                                           const float *change, anysl_number *r, anysl_number *g,
+                                           anysl_number *b) {
+  const AnyslServices *services = args->services;
+  if (change && services->trace_derivatives) {
+    float x = float(px), y = float(py), z = float(pz);
+    float X = float(rx), Y = float(ry), Z = float(rz), color[3] = {0, 0, 0};
+    const float *const P[3] = {&x, &y, &z}, *const R[3] = {&X, &Y, &Z};
+    float *const found[3] = {color, color + 1, color + 2};
+    AnyslRayDerivatives derivatives = rayDerivatives(change);
+    services->trace_derivatives(args->renderer, args, point, 1, 1, P, R, &derivatives, found);
+    *r = anysl_number(color[0]), *g = anysl_number(color[1]), *b = anysl_number(color[2]);
+    return;
+  }
   double P[3] = {px, py, pz}, R[3] = {rx, ry, rz}, color[3] = {0, 0, 0};
-  if (args->services->trace)
-    args->services->trace(args->renderer, args, point, P, R, color);
+  if (services->trace)
+    services->trace(args->renderer, args, point, P, R, color);
   *r = anysl_number(color[0]), *g = anysl_number(color[1]), *b = anysl_number(color[2]);
 }
 
@@ -55,8 +68,12 @@ __attribute__((noinline)) anysl_number scalarTraceDistance(const AnyslShadeArgs 
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
   anysl_number r, g, b;
+  float change[rayChangeCount];
+  if constexpr (hasDerivatives<anysl_float>)
+    copyRayChange(context, *P, *R, change);
   scalarTrace(context->args, context->point, numberOf(P->x), numberOf(P->y), numberOf(P->z),
-              numberOf(R->x), numberOf(R->y), numberOf(R->z), &r, &g, &b);
+              numberOf(R->x), numberOf(R->y), numberOf(R->z),
+              hasDerivatives<anysl_float> ? change : nullptr, &r, &g, &b);
   *result = {r, g, b};
 }
 

@@ -73,6 +73,10 @@ cl::opt<unsigned> maxLoop("max-loop",
                           cl::desc("Leave every loop of a shader after N rounds, and let the host "
                                    "know (default: no limit)"),
                           cl::value_desc("N"), cl::cat(category));
+cl::opt<bool> rayDerivatives("ray-derivatives",
+                             cl::desc("Let traced rays carry how they change from point to point, "
+                                      "as they do in shaders that ask for derivatives"),
+                             cl::cat(category));
 cl::opt<bool> checkNaN("check-nan", cl::desc("Let the host know where a number stops being finite"),
                        cl::cat(category));
 cl::opt<double> maxError("max-error",
@@ -172,6 +176,7 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.checkNaN = checkNaN;
   options.maxLoop = maxLoop;
   options.plainOperators = plainOperators;
+  options.rayDerivatives = rayDerivatives;
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;

@@ -143,9 +143,9 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count,
     evaluateSurface(surface, hit, origin, ray.direction, shader.needed | moved, point);
     if (!scene.description.camera.perspective)
       ray.origin = {float(point.frame.P.x), float(point.frame.P.y), 0};
+    ray.direction = Vec3f(normalized(point.frame.P - Vec3d(ray.origin)));
     if (shader.needed & footprintBits)
-      findFootprint(scene.camera, true, ray.origin,
-                    Vec3f(normalized(point.frame.P - Vec3d(ray.origin))), point);
+      findFootprint(scene.camera, true, ray, point);
     oldPlaces[first + i] = point.frame.P;
     oldNormals[first + i] = point.normal;
     auto store = [&](int component, double value) { at(component, i) = Real(value); };

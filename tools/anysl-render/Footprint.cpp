@@ -21,40 +21,63 @@ void basis(Vec3d n, Vec3d &x, Vec3d &y) {
 
 /// The least changes of u and v that bring dPdu and dPdv nearest to a step; 0 where the two lie on
 /// a line.
-void solve(const SurfaceFrame &frame, Vec3d step, double &du, double &dv) {
+ParameterStep solve(const SurfaceFrame &frame, Vec3d step) {
   double uu = dot(frame.dPdu, frame.dPdu), uv = dot(frame.dPdu, frame.dPdv);
   double vv = dot(frame.dPdv, frame.dPdv), determinant = uu * vv - uv * uv;
   double a = dot(frame.dPdu, step), b = dot(frame.dPdv, step);
-  bool isSurface = determinant > 1e-12 * uu * vv;
-  du = isSurface ? (a * vv - b * uv) / determinant : 0;
-  dv = isSurface ? (b * uu - a * uv) / determinant : 0;
+  if (!(determinant > 1e-12 * uu * vv))
+    return {};
+  return {(a * vv - b * uv) / determinant, (b * uu - a * uv) / determinant};
+}
+
+RaySpread unknownSpread(const Camera &camera, const Ray &ray) {
+  Vec3d right, down;
+  basis(Vec3d(ray.direction), right, down);
+  right = right * std::abs(camera.pixelWidth());
+  down = down * std::abs(camera.pixelHeight());
+  if (!camera.isPerspective())
+    return {{right, down}, {}};
+  double before = length(Vec3d(ray.origin));
+  return {{right * before, down * before}, {right, down}};
+}
+
+/// What u and v change by where a neighbour of the ray meets the surface's plane.
+ParameterStep transfer(const SurfaceFrame &frame, Vec3d direction, Vec3d step, double leastFacing) {
+  double facing = dot(frame.normal, direction);
+  facing = std::copysign(std::max(std::abs(facing), leastFacing), facing);
+  return solve(frame, step - direction * (dot(frame.normal, step) / facing));
+}
+
+/// I reaches from the ray's origin to P, and changes with both.
+void differentiateIncident(const RaySpread &spread, SurfacePoint &point) {
+  ParameterStep x = point.toRight, y = point.down;
+  double inverse = 1 / (x.u * y.v - x.v * y.u);
+  point.dIdu = point.frame.dPdu;
+  point.dIdv = point.frame.dPdv;
+  if (!std::isfinite(inverse))
+    return;
+  point.dIdu = point.dIdu - (spread.origin[0] * y.v - spread.origin[1] * x.v) * inverse;
+  point.dIdv = point.dIdv - (spread.origin[1] * x.u - spread.origin[0] * y.u) * inverse;
 }
 
 } // namespace
 
-void findFootprint(const Camera &camera, bool isFromEye, Vec3f origin, Vec3f direction,
-                   SurfacePoint &point) {
+void findFootprint(const Camera &camera, bool isFromEye, const Ray &ray, SurfacePoint &point) {
+  RaySpread spread = ray.spread  ? *ray.spread
+                     : isFromEye ? camera.spread(ray.direction)
+                                 : unknownSpread(camera, ray);
   const SurfaceFrame &frame = point.frame;
-  Vec3d d(direction), steps[2];
-  if (isFromEye) {
-    double depth = camera.isPerspective() ? frame.P.z : 1;
-    steps[0] = {camera.pixelWidth() * depth, 0, 0};
-    steps[1] = {0, camera.pixelHeight() * depth, 0};
-  } else {
-    double travelled = length(Vec3d(origin)) + length(frame.P - Vec3d(origin));
-    double grown = camera.isPerspective() ? travelled : 1;
-    basis(d, steps[0], steps[1]);
-    steps[0] = steps[0] * (std::abs(camera.pixelWidth()) * grown);
-    steps[1] = steps[1] * (std::abs(camera.pixelHeight()) * grown);
-  }
-  double facing = dot(frame.normal, d);
-  // A surface seen edge on goes on for ever; a hundred pixels' worth is enough.
-  facing = std::copysign(std::max(std::abs(facing), 0.01), facing);
-  double du[2], dv[2];
-  for (int i = 0; i < 2; ++i)
-    solve(frame, steps[i] - d * (dot(frame.normal, steps[i]) / facing), du[i], dv[i]);
-  point.du = std::hypot(du[0], du[1]);
-  point.dv = std::hypot(dv[0], dv[1]);
+  Vec3d d(ray.direction);
+  double t = double(ray.travelled) + dot(frame.P - Vec3d(ray.origin), d);
+  Vec3d right = spread.origin[0] + spread.direction[0] * t;
+  Vec3d down = spread.origin[1] + spread.direction[1] * t;
+  point.toRight = transfer(frame, d, right, 1e-6);
+  point.down = transfer(frame, d, down, 1e-6);
+  // A surface seen edge on goes on for ever; for filters a hundred pixels' worth is enough.
+  ParameterStep x = transfer(frame, d, right, 0.01), y = transfer(frame, d, down, 0.01);
+  point.du = std::hypot(x.u, y.u);
+  point.dv = std::hypot(x.v, y.v);
+  differentiateIncident(spread, point);
 }
 
 } // namespace anysl::render

@@ -267,14 +267,20 @@ void anysl::render::evaluateSurface(const SurfaceSet &set, const Hit &hit, Vec3f
   needs.parametric = needs.texture || needs.derivatives || !variables.list.empty() ||
                      (needed & bits(ANYSL_u, ANYSL_v, ANYSL_dPdu, ANYSL_dPdv)) != 0;
   set.evaluate(hit, origin, direction, needs, point);
-  point.frame.normal = normalized(point.frame.normal);
+  normalize(point.frame.normal, point.dNgdu, point.dNgdv);
   normalize(point.normal, point.dNdu, point.dNdv);
   if (needs.texture || needs.derivatives)
     evaluateTexture(set, hit, needs.derivatives, point);
-  if (variables.color >= 0)
-    point.color = triple(set, variables.list[size_t(variables.color)], hit, point);
-  if (variables.opacity >= 0)
-    point.opacity = triple(set, variables.list[size_t(variables.opacity)], hit, point);
+  auto replace = [&](int index, Vec3d &value, Vec3d &byU, Vec3d &byV) {
+    if (index < 0)
+      return;
+    const Variable &variable = variables.list[size_t(index)];
+    value = triple(set, variable, hit, point);
+    for (uint32_t k = 0; needs.derivatives && k < 3; ++k)
+      set.differentiate(variable, k, hit, point, byU[int(k)], byV[int(k)]);
+  };
+  replace(variables.color, point.color, point.dCsdu, point.dCsdv);
+  replace(variables.opacity, point.opacity, point.dOsdu, point.dOsdv);
   // P is rounded by half an ulp of each of its coordinates, and Embree computes with the corners of
   // a triangle relative to the ray's origin. 32 ulps leave room for the rounding of the ray's
   // start.

@@ -42,8 +42,8 @@ RenderCounts &RenderCounts::operator+=(const RenderCounts &other) {
 RayStarts::RayStarts(Arena &arena, size_t count) {
   // Whole vectors are loaded, so that the arrays reach beyond the last point.
   count = (count + AskedRays::most - 1) / AskedRays::most * AskedRays::most;
-  for (float **array :
-       {&P[0], &P[1], &P[2], &Ng[0], &Ng[1], &Ng[2], &lift[0], &lift[1], &lift[2], &offset})
+  for (float **array : {&P[0], &P[1], &P[2], &Ng[0], &Ng[1], &Ng[2], &lift[0], &lift[1], &lift[2],
+                        &offset, &toRight[0], &toRight[1], &down[0], &down[1]})
     *array = arena.allocate<float>(count);
 }
 
@@ -54,6 +54,8 @@ void RayStarts::set(size_t i, const SurfacePoint &point) {
     lift[k][i] = float(point.lift[k]);
   }
   offset[i] = point.offset;
+  toRight[0][i] = float(point.toRight.u), toRight[1][i] = float(point.toRight.v);
+  down[0][i] = float(point.down.u), down[1][i] = float(point.down.v);
 }
 
 Ray RayStarts::behind(size_t i, const Ray &ray, float t, const ShadingGroup &group) const {
@@ -64,6 +66,7 @@ Ray RayStarts::behind(size_t i, const Ray &ray, float t, const ShadingGroup &gro
   result.direction = ray.direction;
   result.seed = hash(ray.seed, behindSurface);
   result.travelled = ray.travelled + t;
+  result.spread = ray.spread;
   result.medium = medium(i, ray.direction, group);
   return result;
 }
@@ -167,6 +170,23 @@ ANYSL_RENDER_WIDE void makeShadowRays(const RayStarts &given, size_t first, uint
 }
 
 } // namespace anysl::render
+
+bool anysl::render::spreadRay(const RayStarts &starts, size_t point, const AskedRays &rays,
+                              uint32_t i, const float *const R[3],
+                              const AnyslRayDerivatives &change, RaySpread &spread) {
+  auto lane = [i](const float *const v[3]) { return Vec3d(Vec3f(v[0][i], v[1][i], v[2][i])); };
+  Vec3d unit(rays.ray(i, 0).direction);
+  double size = length(lane(R)), sum = 0;
+  for (int pixel = 0; pixel < 2; ++pixel) {
+    float *const *steps = pixel == 0 ? starts.toRight : starts.down;
+    double u = double(steps[0][point]), v = double(steps[1][point]);
+    Vec3d turned = lane(change.R_by_u) * u + lane(change.R_by_v) * v;
+    spread.origin[pixel] = lane(change.P_by_u) * u + lane(change.P_by_v) * v;
+    spread.direction[pixel] = (turned - unit * dot(unit, turned)) * (1 / size);
+    sum += length(spread.origin[pixel]) + length(spread.direction[pixel]);
+  }
+  return std::isfinite(sum);
+}
 
 //===-- Shading -------------------------------------------------------------//
 

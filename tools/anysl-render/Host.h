@@ -151,6 +151,7 @@ constexpr uint64_t colorOutputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL
 struct RayStarts {
   float *P[3], *Ng[3], *lift[3];
   float *offset;
+  float *toRight[2], *down[2]; ///< where a footprint was asked for
 
   RayStarts(Arena &arena, size_t count);
   void set(size_t i, const SurfacePoint &point);
@@ -187,6 +188,11 @@ void makeTraceRays(const RayStarts &starts, size_t first, uint32_t count, const 
 /// where both are the same.
 void makeShadowRays(const RayStarts &starts, size_t first, uint32_t count, const float *from,
                     const float *to, AskedRays &rays);
+
+/// How the ray that was made for direction number i differs from its neighbours, which a shader
+/// says for a point by u and v. False, and nothing to be relied on, where it is not finite.
+bool spreadRay(const RayStarts &starts, size_t point, const AskedRays &rays, uint32_t i,
+               const float *const R[3], const AnyslRayDerivatives &change, RaySpread &spread);
 
 /// Lets ray i end at `reach`; none is valid with a reach that is not positive.
 void limitReach(AskedRays &rays, uint32_t i, float reach);
@@ -235,6 +241,14 @@ void storeGlobals(uint64_t wanted, const SurfacePoint &point, const Ray &ray, fl
   number(ANYSL_dtdv, ANYSL_COMPONENT_dtdv, point.dtdv);
   triple(ANYSL_dNdu, ANYSL_COMPONENT_dNdu, point.dNdu);
   triple(ANYSL_dNdv, ANYSL_COMPONENT_dNdv, point.dNdv);
+  triple(ANYSL_dIdu, ANYSL_COMPONENT_dIdu, point.dIdu);
+  triple(ANYSL_dIdv, ANYSL_COMPONENT_dIdv, point.dIdv);
+  triple(ANYSL_dNgdu, ANYSL_COMPONENT_dNgdu, point.dNgdu);
+  triple(ANYSL_dNgdv, ANYSL_COMPONENT_dNgdv, point.dNgdv);
+  triple(ANYSL_dCsdu, ANYSL_COMPONENT_dCsdu, point.dCsdu);
+  triple(ANYSL_dCsdv, ANYSL_COMPONENT_dCsdv, point.dCsdv);
+  triple(ANYSL_dOsdu, ANYSL_COMPONENT_dOsdu, point.dOsdu);
+  triple(ANYSL_dOsdv, ANYSL_COMPONENT_dOsdv, point.dOsdv);
   number(ANYSL_alpha, ANYSL_COMPONENT_alpha, 1);
 }
 

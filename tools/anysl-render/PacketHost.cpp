@@ -188,7 +188,7 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
           i, theScene.bindingsOf(geometry.shapeOf(hit)),
           [&](uint32_t variable, float *value) { geometry.variable(hit, point, variable, value); });
     if (needed & footprintBits)
-      findFootprint(theScene.camera, members.depth == 0, ray.origin, ray.direction, point);
+      findFootprint(theScene.camera, members.depth == 0, ray, point);
     starts.set(i, point);
     depths[i] = float(point.frame.P.z);
     globals.set(i, wanted, point, ray, ray.travelled);

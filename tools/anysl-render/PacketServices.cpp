@@ -34,13 +34,29 @@ RayList gather(PacketBatch &batch, const AskedRays &asked, uint32_t first, uint3
   return rays;
 }
 
-void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
-                      uint32_t mask, const float *P, const float *R, float *color) {
+/// Tells the rays how they differ from their neighbours, where that is known.
+void spreadRays(RayList &rays, const PacketBatch &batch, const AskedRays &asked, uint32_t first,
+                const float *const *R, const AnyslRayDerivatives *change) {
+  if (!change)
+    return;
+  auto *spreads = batch.state->arena.allocate<RaySpread>(rays.count);
+  for (uint32_t i = 0; i < rays.count; ++i) {
+    uint32_t lane = rays.target[i];
+    if (spreadRay(*batch.starts, first + lane, asked, lane, R, *change, spreads[i]))
+      rays.spread[i] = &spreads[i];
+  }
+}
+
+/// Vectors lie as x[width] y[width] z[width]; `change` may be null.
+void traceAll(const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32_t mask,
+              const float *P, const float *R, const AnyslRayDerivatives *change,
+              float *const color[3]) {
   auto &batch = *static_cast<PacketBatch *>(args->batch);
   ThreadState &state = *batch.state;
   ServiceScope service(state);
   Arena::Scope scope(state.arena);
-  std::fill_n(color, 3 * width, 0.0f);
+  for (int k = 0; k < 3; ++k)
+    std::fill_n(color[k], width, 0.0f);
   AskedRays asked;
   makeTraceRays(*batch.starts, first, width, P, R, asked);
   RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
@@ -48,6 +64,8 @@ void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32
   });
   if (rays.count == 0 || batch.depth >= batch.host->scene().description.maxDepth)
     return;
+  const float *const along[3] = {R, R + width, R + 2 * width};
+  spreadRays(rays, batch, asked, first, along, change);
   state.counts.traceRays += rays.count;
   Radiance *radiance = state.arena.allocate<Radiance>(width);
   for (uint32_t i = 0; i < rays.count; ++i)
@@ -55,7 +73,30 @@ void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32
         batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
   batch.host->follow(state, rays, TraceRays, batch.depth + 1, maxLayers, radiance, nullptr);
   for (uint32_t i = 0; i < rays.count; ++i)
-    setLane(color, width, rays.target[i], radiance[rays.target[i]].color);
+    for (int k = 0; k < 3; ++k)
+      color[k][rays.target[i]] = radiance[rays.target[i]].color[k];
+}
+
+void serveTracePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                      uint32_t mask, const float *P, const float *R, float *color) {
+  float *const components[3] = {color, color + width, color + 2 * width};
+  traceAll(args, first, width, mask, P, R, nullptr, components);
+}
+
+/// Vectors in an array for each component, as x[width] y[width] z[width].
+struct Joined {
+  Joined(const float *const v[3], uint32_t width) {
+    for (uint32_t k = 0; k < 3; ++k)
+      std::copy_n(v[k], width, values + k * width);
+  }
+  float values[3 * AskedRays::most];
+};
+
+void serveTraceDerivatives(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
+                           uint32_t mask, const float *const *P, const float *const *R,
+                           const AnyslRayDerivatives *change, float *const color[3]) {
+  traceAll(args, first, width, mask, Joined(P, width).values, Joined(R, width).values, change,
+           color);
 }
 
 void serveDistancePacket(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t width,
@@ -97,13 +138,9 @@ void serveHits(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t widt
   ThreadState &state = *batch.state;
   ServiceScope service(state);
   Arena::Scope scope(state.arena);
-  float from[3 * AskedRays::most], along[3 * AskedRays::most];
-  for (uint32_t k = 0; k < 3; ++k) {
-    std::copy_n(P[k], width, from + k * width);
-    std::copy_n(R[k], width, along + k * width);
-  }
   AskedRays asked;
-  makeTraceRays(*batch.starts, first, width, from, along, asked);
+  makeTraceRays(*batch.starts, first, width, Joined(P, width).values, Joined(R, width).values,
+                asked);
   for (uint32_t i = 0; i < width; ++i)
     limitReach(asked, i, reach[i]);
   RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
@@ -118,6 +155,7 @@ void serveHits(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t widt
     for (uint32_t i = 0; i < rays.count; ++i)
       rays.medium[i] =
           batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
+    spreadRays(rays, batch, asked, first, R, hits->change);
     batch.host->follow(state, rays, TraceRays, batch.depth + 1, 1, radiance, nullptr, hits->values);
   } else {
     std::fill_n(radiance, width, Radiance{Vec3f(), Vec3f(1), 1});
@@ -169,5 +207,6 @@ const AnyslServices anysl::render::packetServices = [] {
   offered.transmission = serveTransmission;
   offered.transmission_packet = serveTransmissionPacket;
   offered.trace_hit = serveHits;
+  offered.trace_derivatives = serveTraceDerivatives;
   return offered;
 }();

@@ -124,8 +124,10 @@ void QuadricSet::evaluate(const Hit &hit, Vec3f origin, Vec3f direction, const S
                           SurfacePoint &point) const {
   point.frame = quadrics[hit.primitive].evaluate(origin, direction, hit.t, needs.parametric);
   point.normal = point.frame.normal;
-  if (needs.derivatives)
-    quadrics[hit.primitive].normalDerivatives(point.frame, point.dNdu, point.dNdv);
+  if (!needs.derivatives)
+    return;
+  quadrics[hit.primitive].normalDerivatives(point.frame, point.dNdu, point.dNdv);
+  point.dNgdu = point.dNdu, point.dNgdv = point.dNdv;
 }
 
 void QuadricSet::interpolate(const Variable &variable, const Hit &, const SurfacePoint &point,

@@ -19,6 +19,7 @@ RayList::RayList(Arena &arena, uint32_t capacity) : capacity(capacity) {
                         &direction[2], &near, &far, &travelled, &t, &u, &v})
     *array = arena.allocate<float>(size);
   medium = arena.allocate<const Shader *>(size);
+  spread = arena.allocate<const RaySpread *>(size);
   for (uint32_t **array : {&seed, &target, &geometry, &primitive})
     *array = arena.allocate<uint32_t>(size);
 }
@@ -32,6 +33,7 @@ void RayList::add(const Ray &ray, uint32_t toTarget) {
   far[count] = ray.far;
   travelled[count] = ray.travelled;
   medium[count] = ray.medium;
+  spread[count] = ray.spread;
   seed[count] = ray.seed;
   target[count++] = toTarget;
 }

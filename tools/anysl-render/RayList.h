@@ -17,6 +17,7 @@ struct RayList {
   uint32_t count = 0, capacity = 0;
   float *origin[3], *direction[3], *near, *far, *travelled;
   const Shader **medium;
+  const RaySpread **spread;
   uint32_t *seed;
   uint32_t *target; ///< where the ray's light goes to: an index into the caller's arrays
   float *t, *u, *v;
@@ -30,7 +31,8 @@ struct RayList {
     return {direction[0][i], direction[1][i], direction[2][i]};
   }
   Ray rayOf(uint32_t i) const {
-    return {originOf(i), directionOf(i), near[i], far[i], seed[i], travelled[i], medium[i]};
+    return {originOf(i), directionOf(i), near[i],   far[i],
+            seed[i],     travelled[i],   medium[i], spread[i]};
   }
   Hit hitOf(uint32_t i) const { return {t[i], u[i], v[i], geometry[i], primitive[i]}; }
 };

@@ -71,7 +71,7 @@ uint32_t permute(uint32_t index, uint32_t count, uint32_t seed) {
 } // namespace
 
 PixelSampler::PixelSampler(const SceneDescription &scene)
-    : countX(scene.samplesX), countY(scene.samplesY), filter(scene.filter),
+    : countX(scene.samplesX), countY(scene.samplesY), jitter(scene.jitter), filter(scene.filter),
       widthX(scene.filterWidthX), widthY(scene.filterWidthY) {
   if (filter >= FilterKind::CatmullRom && filter != FilterKind::Disk) {
     tableX = makeTable(filter, widthX);
@@ -130,8 +130,8 @@ double PixelSampler::warp(double share) const {
 PixelSample PixelSampler::sample(int x, int y, unsigned index) const {
   uint32_t seed = hash(hash(uint32_t(x), uint32_t(y)), index);
   int cellX = int(index) % countX, cellY = int(index) / countX;
-  double shareX = (cellX + unitNumber(hash(seed, 1))) / countX;
-  double shareY = (cellY + unitNumber(hash(seed, 2))) / countY;
+  double shareX = (cellX + (jitter ? unitNumber(hash(seed, 1)) : 0.5)) / countX;
+  double shareY = (cellY + (jitter ? unitNumber(hash(seed, 2)) : 0.5)) / countY;
   PixelSample sample{x + 0.5 + warp(shareX) * widthX, y + 0.5 + warp(shareY) * widthY, seed};
   if (hasWeights()) {
     size_t i = size_t(shareX * double(tableX.places.size()));

@@ -41,8 +41,8 @@ struct PixelSample {
 
 /// Places samples as the pixel filter weights them, so that a pixel is the plain mean of its own
 /// samples and no sample is shared between pixels (filter importance sampling). They are
-/// stratified: one in each cell of a samplesX x samplesY grid. Where a filter is negative, so is
-/// the sample's weight.
+/// stratified: one in each cell of a samplesX x samplesY grid, anywhere there or in its middle.
+/// Where a filter is negative, so is the sample's weight.
 class PixelSampler {
 public:
   explicit PixelSampler(const SceneDescription &scene);
@@ -62,6 +62,7 @@ private:
   double warp(double share) const;
 
   int countX, countY;
+  bool jitter;
   FilterKind filter;
   double widthX, widthY;
   std::vector<double> gaussian; ///< warp() at evenly spaced shares

@@ -75,6 +75,12 @@ private:
 
   static void serveTrace(void *, const AnyslShadeArgs *, uint32_t, const double *, const double *,
                          double *);
+  /// What arrives along a ray that a shader asks for; `change` may be null.
+  static Vec3f traceAsked(PointBatch &batch, const float *P, const float *R,
+                          const AnyslRayDerivatives *change);
+  static void serveTraceDerivatives(void *, const AnyslShadeArgs *, uint32_t, uint32_t, uint32_t,
+                                    const float *const *, const float *const *,
+                                    const AnyslRayDerivatives *, float *const *);
   static double serveDistance(void *, const AnyslShadeArgs *, uint32_t, const double *,
                               const double *);
   static void serveTransmission(void *, const AnyslShadeArgs *, uint32_t, const double *,
@@ -93,6 +99,7 @@ const AnyslServices ScalarHost::services = [] {
   offered.trace_distance = serveDistance;
   offered.transmission = serveTransmission;
   offered.trace_hit = serveHits;
+  offered.trace_derivatives = serveTraceDerivatives;
   return offered;
 }();
 
@@ -121,7 +128,7 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
     SurfacePoint point;
     geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
     if (needed & footprintBits)
-      findFootprint(theScene.camera, depth == 0, ray.origin, ray.direction, point);
+      findFootprint(theScene.camera, depth == 0, ray, point);
     Arena::Scope scope(state.arena);
     PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
     batch.starts.set(0, point);
@@ -262,23 +269,41 @@ Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {
 
 //===-- Services ------------------------------------------------------------//
 
+Vec3f ScalarHost::traceAsked(PointBatch &batch, const float *P, const float *R,
+                             const AnyslRayDerivatives *change) {
+  ServiceScope scope(*batch.state);
+  uint32_t seed = hash(batch.seed, ++batch.rays);
+  AskedRays asked;
+  makeTraceRays(batch.starts, 0, 1, P, R, asked);
+  if (batch.depth >= batch.host->theScene.description.maxDepth || !asked.valid[0])
+    return Vec3f();
+  ++batch.state->counts.traceRays;
+  Ray ray = asked.ray(0, seed);
+  ray.medium = batch.starts.medium(0, ray.direction, *batch.group);
+  RaySpread spread;
+  const float *const along[3] = {R, R + 1, R + 2};
+  if (change && spreadRay(batch.starts, 0, asked, 0, along, *change, spread))
+    ray.spread = &spread;
+  return batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, maxLayers, nullptr)
+      .color;
+}
+
 void ScalarHost::serveTrace(void *, const AnyslShadeArgs *args, uint32_t, const double *P,
                             const double *R, double *color) {
   auto &batch = *static_cast<PointBatch *>(args->batch);
-  ServiceScope scope(*batch.state);
-  Vec3f result;
-  uint32_t seed = hash(batch.seed, ++batch.rays);
-  AskedRays asked;
-  makeTraceRays(batch.starts, 0, 1, Triple(P).value, Triple(R).value, asked);
-  if (batch.depth < batch.host->theScene.description.maxDepth && asked.valid[0]) {
-    ++batch.state->counts.traceRays;
-    Ray ray = asked.ray(0, seed);
-    ray.medium = batch.starts.medium(0, ray.direction, *batch.group);
-    result =
-        batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, maxLayers, nullptr).color;
-  }
+  Vec3f result = traceAsked(batch, Triple(P).value, Triple(R).value, nullptr);
   for (int k = 0; k < 3; ++k)
-    color[k] = result[k];
+    color[k] = double(result[k]);
+}
+
+void ScalarHost::serveTraceDerivatives(void *, const AnyslShadeArgs *args, uint32_t, uint32_t,
+                                       uint32_t, const float *const *P, const float *const *R,
+                                       const AnyslRayDerivatives *change, float *const color[3]) {
+  auto &batch = *static_cast<PointBatch *>(args->batch);
+  const float from[3] = {*P[0], *P[1], *P[2]}, along[3] = {*R[0], *R[1], *R[2]};
+  Vec3f result = traceAsked(batch, from, along, change);
+  for (int k = 0; k < 3; ++k)
+    *color[k] = result[k];
 }
 
 void ScalarHost::serveHits(void *, const AnyslShadeArgs *args, uint32_t, uint32_t, uint32_t,
@@ -297,6 +322,9 @@ void ScalarHost::serveHits(void *, const AnyslShadeArgs *args, uint32_t, uint32_
   ++batch.state->counts.traceRays;
   Ray ray = asked.ray(0, seed);
   ray.medium = batch.starts.medium(0, ray.direction, *batch.group);
+  RaySpread spread;
+  if (hits->change && spreadRay(batch.starts, 0, asked, 0, R, *hits->change, spread))
+    ray.spread = &spread;
   Hit hit = scene.geometry().intersect(ray, TraceRays);
   Radiance radiance{Vec3f(), Vec3f(1), 1};
   // Beyond the deepest level surfaces are black.

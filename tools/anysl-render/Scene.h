@@ -26,7 +26,7 @@ struct ShadingGroup {
   const LightSet *lights = nullptr;
   uint64_t called = 0; ///< the globals that co-shaders name, as bits
   /// Those that others than the surface's own shaders want to find.
-  uint64_t globalsOfOthers() const { return lights->globals | called; }
+  uint64_t globalsOfOthers() const { return neededFor(lights->globals | called); }
   Space object;
   bool matte = false; ///< hides what is behind it from the camera, and is transparent itself
   /// Parameters of the surface shader that take their values from the shapes' variables, which each

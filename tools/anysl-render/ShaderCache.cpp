@@ -168,7 +168,8 @@ std::vector<fs::path> ShaderCache::sources() const {
   return used;
 }
 
-fs::path ShaderCache::library(const std::string &name, const Location &where) const {
+fs::path ShaderCache::library(const std::string &name, const Location &where,
+                              bool rayDerivatives) const {
   std::optional<fs::path> found = find(name);
   if (!found) {
     std::string searched;
@@ -195,7 +196,8 @@ fs::path ShaderCache::library(const std::string &name, const Location &where) co
     return source;
   for (const std::string &word : {toolKey(), target.runtime, target.real, target.math})
     hash.add(word);
-  for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop})
+  for (unsigned number :
+       {target.width, unsigned(target.checkNaN), target.maxLoop, unsigned(rayDerivatives)})
     hash.addNumber(number);
   std::string stem = source.filename().string();
   stem = stem.substr(0, stem.find('.'));
@@ -248,6 +250,8 @@ fs::path ShaderCache::library(const std::string &name, const Location &where) co
     link.insert(link.end(), {"--math", target.math});
   if (target.checkNaN)
     link.push_back("--check-nan");
+  if (rayDerivatives)
+    link.push_back("--ray-derivatives");
   if (target.maxLoop)
     link.insert(link.end(), {"--max-loop", std::to_string(target.maxLoop)});
   step(std::move(link));

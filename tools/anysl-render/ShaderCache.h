@@ -44,7 +44,9 @@ public:
 
   /// The shader's library. Throws UserError, naming the place that asks for the shader, if there is
   /// none or it does not compile. Several threads may call this for different shaders.
-  std::filesystem::path library(const std::string &name, const Location &where) const;
+  /// `rayDerivatives`: the rays that it traces carry theirs.
+  std::filesystem::path library(const std::string &name, const Location &where,
+                                bool rayDerivatives = false) const;
 
   /// A shader's file, if there is one.
   std::optional<std::filesystem::path> find(const std::string &name) const;

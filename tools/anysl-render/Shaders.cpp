@@ -12,6 +12,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <exception>
 
 using namespace anysl::render;
@@ -22,12 +23,32 @@ static_assert(int(ShaderKind::Surface) == ANYSL_SURFACE && int(ShaderKind::Light
               int(ShaderKind::Displacement) == ANYSL_DISPLACEMENT &&
               int(ShaderKind::Volume) == ANYSL_VOLUME && int(ShaderKind::Imager) == ANYSL_IMAGER);
 
+/// The bit of AnyslShaderInfo::effects that says that a shader traces rays: effect number 11 of
+/// lib/STC/Effects.def.
+constexpr uint32_t traceEffect = 1u << 11;
+
+constexpr uint64_t bits(auto... globals) { return ((uint64_t(1) << globals) | ...); }
+
+/// The globals that derivativesBit asks for.
+constexpr uint64_t differentiatedGlobals =
+    bits(ANYSL_dNdu, ANYSL_dNdv, ANYSL_dsdu, ANYSL_dsdv, ANYSL_dtdu, ANYSL_dtdv, ANYSL_dNgdu,
+         ANYSL_dNgdv, ANYSL_dCsdu, ANYSL_dCsdv, ANYSL_dOsdu, ANYSL_dOsdv);
+
 bool isTriple(ValueType type) {
   return type == ValueType::Point || type == ValueType::Vector || type == ValueType::Normal ||
          type == ValueType::HPoint;
 }
 
 } // namespace
+
+uint64_t anysl::render::neededFor(uint64_t globals) {
+  uint64_t needed = globals;
+  if (globals & differentiatedGlobals)
+    needed |= derivativesBit;
+  if (globals & (footprintBits | bits(ANYSL_dIdu, ANYSL_dIdv)))
+    needed |= footprintBits | bits(ANYSL_dPdu, ANYSL_dPdv);
+  return needed;
+}
 
 bool anysl::render::fits(ValueType declared, uint32_t wanted) {
   switch (wanted) {
@@ -82,23 +103,59 @@ const AnyslShaderInfo *findShader(const AnyslLibrary *library, const ShaderUse &
 
 } // namespace
 
+namespace {
+
+/// Whether some shader of a library asks how much of a surface a pixel sees.
+bool wantsFootprints(const AnyslLibraryInfo &library) {
+  return std::any_of(
+      library.shaders, library.shaders + library.shader_count,
+      [](const AnyslShaderInfo &shader) { return (shader.globals_read & footprintBits) != 0; });
+}
+
+bool traces(const AnyslLibraryInfo &library) {
+  return std::any_of(
+      library.shaders, library.shaders + library.shader_count,
+      [](const AnyslShaderInfo &shader) { return (shader.effects & traceEffect) != 0; });
+}
+
+} // namespace
+
 void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
+  std::map<std::string, const Location *> names;
+  for (const ShaderUse *use : uses)
+    if (!libraries.contains(use->name))
+      names.emplace(use->name, &use->where);
+  openAll(names, false);
+  // What is seen in mirrors is filtered as wide as the rays there say, which has its price.
+  bool filtered = std::any_of(libraries.begin(), libraries.end(), [](const auto &library) {
+    return wantsFootprints(*anysl_library_info(library.second.get()));
+  });
+  std::erase_if(names, [&](const auto &name) {
+    auto opened = libraries.find(name.first);
+    return !filtered || opened == libraries.end() ||
+           !traces(*anysl_library_info(opened->second.get()));
+  });
+  openAll(names, true);
+  for (const auto &[name, library] : libraries)
+    if (logged.insert(name).second)
+      if (AnyslNoteLog *log = anysl_note_log_create(library.get()))
+        notes.emplace_back(log);
+}
+
+void ShaderLoader::openAll(const std::map<std::string, const Location *> &names,
+                           bool rayDerivatives) {
   struct Job {
     std::string name;
     const Location *where;
     std::filesystem::path library;
     std::exception_ptr error;
   };
-  std::map<std::string, const Location *> names;
-  for (const ShaderUse *use : uses)
-    if (!libraries.contains(use->name))
-      names.emplace(use->name, &use->where);
   std::vector<Job> jobs;
   for (auto [name, where] : names)
     jobs.push_back({name, where, {}, nullptr});
   tbb::parallel_for(size_t(0), jobs.size(), [&](size_t i) {
     try {
-      jobs[i].library = cache.library(jobs[i].name, *jobs[i].where);
+      jobs[i].library = cache.library(jobs[i].name, *jobs[i].where, rayDerivatives);
     } catch (...) {
       jobs[i].error = std::current_exception();
     }
@@ -115,8 +172,6 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
     if (anysl_library_open(std::filesystem::absolute(job.library).c_str(), 0, &library))
       throw UserError(*job.where, anysl_last_error());
     libraries[job.name].reset(library);
-    if (AnyslNoteLog *log = anysl_note_log_create(library))
-      notes.emplace_back(log);
     const AnyslLibraryInfo &info = *anysl_library_info(library);
     if (info.layout != uint32_t(layout))
       throw UserError(*job.where, job.library.string() + " is made for runtime \"" + info.runtime +
@@ -155,7 +210,6 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
     shader->shade = anysl_shader_entry(info, 0);
     shader->width = anysl_shader_widest(info);
   }
-  constexpr auto bits = [](auto... globals) { return ((uint64_t(1) << globals) | ...); };
   uint64_t read = info->globals_read, written = info->globals_written;
   shader->effects = info->effects;
   // A co-shader's methods are shaders of their own, which find the globals of who calls them.
@@ -166,11 +220,7 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
       written |= file.shaders[i].globals_written;
       shader->effects |= file.shaders[i].effects;
     }
-  shader->needed = read;
-  if (shader->needed & bits(ANYSL_dNdu, ANYSL_dNdv, ANYSL_dsdu, ANYSL_dsdv, ANYSL_dtdu, ANYSL_dtdv))
-    shader->needed |= derivativesBit;
-  if (shader->needed & footprintBits)
-    shader->needed |= bits(ANYSL_dPdu, ANYSL_dPdv);
+  shader->needed = neededFor(read);
   shader->globals = read | written;
   setParameters(*shader);
   return shader;

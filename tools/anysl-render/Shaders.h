@@ -14,6 +14,7 @@
 
 #include <anysl/anysl.h>
 
+#include <set>
 #include <span>
 
 namespace anysl::render {
@@ -54,6 +55,9 @@ struct Shader {
   bool callsOthers() const { return (info->services >> 6 & 1) != 0; }
 };
 
+/// The bits of Geometry::evaluate() that ask for these globals.
+uint64_t neededFor(uint64_t globals);
+
 /// Whether a value declared in the scene may go into a shader's parameter of an AnyslType.
 bool fits(ValueType declared, uint32_t wanted);
 
@@ -84,6 +88,7 @@ private:
   struct Close {
     void operator()(AnyslLibrary *library) const { anysl_library_close(library); }
   };
+  void openAll(const std::map<std::string, const Location *> &names, bool rayDerivatives);
   void setParameters(Shader &shader);
 
   const Scene &scene;
@@ -94,6 +99,7 @@ private:
   AnyslReal format = ANYSL_REAL_FLOAT;
   std::map<std::string, std::unique_ptr<AnyslLibrary, Close>> libraries; ///< by the shader's name
   std::vector<shade::NoteLogHandle> notes; ///< of libraries that note something
+  std::set<std::string> logged;            ///< the names of those that have been asked for a log
 };
 
 } // namespace anysl::render

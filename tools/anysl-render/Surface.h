@@ -27,6 +27,11 @@ struct SurfaceFrame {
   double u = 0, v = 0;
 };
 
+/// How far u and v go in a step.
+struct ParameterStep {
+  double u = 0, v = 0;
+};
+
 /// What a shader may ask about a hit, in camera space.
 struct SurfacePoint {
   SurfaceFrame frame; ///< frame.normal is the geometric normal, of unit length
@@ -36,16 +41,21 @@ struct SurfacePoint {
   float offset = 0; ///< how far a ray has to start off the surface not to meet it again
   Vec3d lift;       ///< from a facet to the smooth surface that it stands for
   // Only where they are asked for:
-  Vec3d dNdu, dNdv; ///< of the shading normal
+  Vec3d dNdu, dNdv;   ///< of the shading normal
+  Vec3d dNgdu, dNgdv; ///< of the geometric normal
   double dsdu = 0, dsdv = 0, dtdu = 0, dtdv = 0;
-  double du = 0, dv = 0; ///< the footprint of a pixel (Footprint.h)
+  Vec3d dCsdu, dCsdv, dOsdu, dOsdv;
+  // The footprint of a pixel (Footprint.h):
+  double du = 0, dv = 0;
+  ParameterStep toRight, down; ///< from pixel to pixel
+  Vec3d dIdu, dIdv;
 };
 
 /// What to find out about a hit.
 struct SurfaceNeeds {
   bool parametric = false;  ///< u, v, dPdu and dPdv
   bool texture = false;     ///< s and t
-  bool derivatives = false; ///< of N, s and t by u and v
+  bool derivatives = false; ///< of normals, s and t, colour and opacity by u and v
 };
 
 /// The shape that a piece of surface belongs to.
@@ -76,7 +86,7 @@ public:
   /// Whether u and v run over the unit square, so that TextureCoordinates tell s and t.
   virtual bool hasUnitParameters() const { return true; }
 
-  /// Fills in the frame, the shading normal with its derivatives, lift, and, as `offset`, the size
+  /// Fills in the frame, both normals with their derivatives, lift, and, as `offset`, the size
   /// of the numbers that the hit was computed from. Normals need not be of unit length; derivatives
   /// are of the normal as it is handed out.
   virtual void evaluate(const Hit &hit, Vec3f origin, Vec3f direction, const SurfaceNeeds &needs,

@@ -33,6 +33,11 @@ extern "C" {
   extern const uint32_t anysl_derivative_input_##byU, anysl_derivative_input_##byV;
 #include <anysl/Globals.def>
 extern const uint32_t anysl_derivative_input_N; // says with dNdu and dNdv how the surface bends
+extern const uint32_t anysl_derivative_input_du, anysl_derivative_input_dv; // for rays
+
+/// The number of a parameter, for whoever looks up a derivative of it: from the calls that are left
+/// in the end the linker knows for which parameters the host is asked.
+__attribute__((const)) uint32_t anysl_derivative_param(uint32_t id);
 
 } // extern "C"
 
@@ -54,6 +59,10 @@ inline constexpr uint32_t globalComponent[] = {
 #define ANYSL_GLOBAL(id, name, type, components, storage, doc) ANYSL_COMPONENT_##name,
 #include <anysl/Globals.def>
 };
+
+/// How far the next point lies in u and in v, for rays that carry derivatives; inputs.h has it.
+anysl_number stepOfU(const anysl_context *context);
+anysl_number stepOfV(const anysl_context *context);
 
 } // namespace anysl
 

@@ -13,25 +13,37 @@
 #ifndef ANYSL_STANDARD_HIT_CALL_H
 #define ANYSL_STANDARD_HIT_CALL_H
 
-#include <anysl/standard/context.h>
+#include <anysl/standard/ray-change.h>
 
-#define ANYSL_HIT_PARAMETERS                                                                       \
+#define ANYSL_HIT_BARE_PARAMETERS                                                                  \
   const AnyslShadeArgs *args, uint32_t point, uint32_t shades, const float *px, const float *py,   \
       const float *pz, const float *rx, const float *ry, const float *rz, const float *reach,      \
       float *distance, float *nx, float *ny, float *nz, float *gx, float *gy, float *gz,           \
       float *red, float *green, float *blue, float *opaqueRed, float *opaqueGreen,                 \
       float *opaqueBlue
-#define ANYSL_HIT_ARGUMENTS                                                                        \
+#define ANYSL_HIT_BARE_ARGUMENTS                                                                   \
   args, point, shades, px, py, pz, rx, ry, rz, reach, distance, nx, ny, nz, gx, gy, gz, red,       \
       green, blue, opaqueRed, opaqueGreen, opaqueBlue
 /// The same in the vector function ABI's letters: uniform, linear, and addresses of lanes.
-#define ANYSL_HIT_LETTERS "ulul4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4"
+#define ANYSL_HIT_BARE_LETTERS "ulul4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4"
+
+// Where numbers carry derivatives, the ray's go along.
+#ifdef ANYSL_REAL_HAS_DERIVATIVES
+#define ANYSL_HIT_PARAMETERS ANYSL_HIT_BARE_PARAMETERS, ANYSL_CHANGE_PARAMETERS
+#define ANYSL_HIT_ARGUMENTS ANYSL_HIT_BARE_ARGUMENTS, ANYSL_CHANGE_ARGUMENTS
+#define ANYSL_HIT_LETTERS ANYSL_HIT_BARE_LETTERS ANYSL_CHANGE_LETTERS
+#else
+#define ANYSL_HIT_PARAMETERS ANYSL_HIT_BARE_PARAMETERS
+#define ANYSL_HIT_ARGUMENTS ANYSL_HIT_BARE_ARGUMENTS
+#define ANYSL_HIT_LETTERS ANYSL_HIT_BARE_LETTERS
+#endif
 
 namespace anysl {
 
-/// Serves the points of `mask`, of `width` from `point` on, by one call of the renderer.
-inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask,
-                       AnyslMessage *values = nullptr) {
+/// Serves the points of `mask`, of `width` from `point` on, by one call of the renderer; `change`
+/// and `values` may be null.
+inline void askForHits(ANYSL_HIT_BARE_PARAMETERS, const AnyslRayDerivatives *change, uint32_t width,
+                       uint32_t mask, AnyslMessage *values = nullptr) {
   AnyslHits hits = {sizeof(AnyslHits),
                     shades,
                     distance,
@@ -39,7 +51,8 @@ inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask,
                     {gx, gy, gz},
                     {red, green, blue},
                     {opaqueRed, opaqueGreen, opaqueBlue},
-                    values};
+                    values,
+                    change};
   for (uint32_t i = 0; i < width; ++i) {
     distance[i] = -1;
     for (uint32_t c = 0; c < 3; ++c)
@@ -48,6 +61,17 @@ inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask,
   const float *const P[3] = {px, py, pz}, *const R[3] = {rx, ry, rz};
   if (args->services->trace_hit)
     args->services->trace_hit(args->renderer, args, point, width, mask, P, R, reach, &hits);
+}
+
+/// The same for what a runtime's own function is called with.
+inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask) {
+#ifdef ANYSL_REAL_HAS_DERIVATIVES
+  AnyslRayDerivatives derivatives = rayDerivatives(ANYSL_CHANGE_ARGUMENTS);
+  const AnyslRayDerivatives *change = &derivatives;
+#else
+  const AnyslRayDerivatives *change = nullptr;
+#endif
+  askForHits(ANYSL_HIT_BARE_ARGUMENTS, change, width, mask);
 }
 
 } // namespace anysl

@@ -26,12 +26,17 @@ inline constexpr double nothingMet = 1e30;
 
 /// Each number gets an address of its own, for the runtime's function to read and write lanes
 /// there.
-inline bool findHit(const anysl_context *context, uint32_t shades, float px, float py, float pz,
-                    float rx, float ry, float rz, float reach, anysl_float &distance,
+inline bool findHit(const anysl_context *context, uint32_t shades, const anysl_point &P,
+                    const anysl_vector &R, const anysl_float &within, anysl_float &distance,
                     anysl_normal &N, anysl_normal &Ng, anysl_color &color, anysl_color &opacity) {
+  float px = float(numberOf(P.x)), py = float(numberOf(P.y)), pz = float(numberOf(P.z));
+  float rx = float(numberOf(R.x)), ry = float(numberOf(R.y)), rz = float(numberOf(R.z));
+  float reach = float(numberOf(within));
   float t, nx, ny, nz, gx, gy, gz, r, g, b, opaqueR, opaqueG, opaqueB;
-  ::findHit(context->args, context->point, shades, &px, &py, &pz, &rx, &ry, &rz, &reach, &t, &nx,
-            &ny, &nz, &gx, &gy, &gz, &r, &g, &b, &opaqueR, &opaqueG, &opaqueB);
+  withKnownChange(context, P, R, [&](auto... change) {
+    ::findHit(context->args, context->point, shades, &px, &py, &pz, &rx, &ry, &rz, &reach, &t, &nx,
+              &ny, &nz, &gx, &gy, &gz, &r, &g, &b, &opaqueR, &opaqueG, &opaqueB, change...);
+  });
   bool isHit = t >= 0;
   distance = select(isHit, anysl_float(t), anysl_float(nothingMet));
   N = {anysl_float(nx), anysl_float(ny), anysl_float(nz)};
@@ -39,14 +44,6 @@ inline bool findHit(const anysl_context *context, uint32_t shades, float px, flo
   color = {anysl_float(r), anysl_float(g), anysl_float(b)};
   opacity = {anysl_float(opaqueR), anysl_float(opaqueG), anysl_float(opaqueB)};
   return isHit;
-}
-
-inline bool findHit(const anysl_context *context, uint32_t shades, const anysl_point &P,
-                    const anysl_vector &R, const anysl_float &reach, anysl_float &distance,
-                    anysl_normal &N, anysl_normal &Ng, anysl_color &color, anysl_color &opacity) {
-  return findHit(context, shades, float(numberOf(P.x)), float(numberOf(P.y)), float(numberOf(P.z)),
-                 float(numberOf(R.x)), float(numberOf(R.y)), float(numberOf(R.z)),
-                 float(numberOf(reach)), distance, N, Ng, color, opacity);
 }
 
 } // namespace anysl
@@ -67,16 +64,19 @@ bool anysl_trace_shade(anysl_context *context, const anysl_point *P, const anysl
 namespace anysl {
 
 /// The service `trace_hit` for one point, with questions about the surface; what is found lies in
-/// `result`: the distance, N, Ng, the colour and the opacity.
+/// `result`: the distance, N, Ng, the colour and the opacity. `change` is how the ray
+/// changes, where numbers carry derivatives.
 [[gnu::noinline]] inline void askForValues(const AnyslShadeArgs *args, uint32_t point, float px,
                                            float py, float pz, float rx, float ry, float rz,
-                                           float reach, const char *what, anysl_float *numbers,
-                                           uint32_t numberCount, anysl_string *texts,
-                                           uint32_t textCount, float *result) {
+                                           float reach, const float *change, const char *what,
+                                           anysl_float *numbers, uint32_t numberCount,
+                                           anysl_string *texts, uint32_t textCount, float *result) {
   withMessage(what, numbers, numberCount, texts, textCount, [&](AnyslMessage &message) {
     float *r = result;
+    AnyslRayDerivatives derivatives = rayDerivatives(change);
     askForHits(args, point, 1, &px, &py, &pz, &rx, &ry, &rz, &reach, r, r + 1, r + 2, r + 3, r + 4,
-               r + 5, r + 6, r + 7, r + 8, r + 9, r + 10, r + 11, r + 12, 1, 1, &message);
+               r + 5, r + 6, r + 7, r + 8, r + 9, r + 10, r + 11, r + 12,
+               hasDerivatives<anysl_float> ? &derivatives : nullptr, 1, 1, &message);
     takeBack(message, numbers, texts);
   });
 }
@@ -89,11 +89,13 @@ bool anysl_trace_values(anysl_context *context, const anysl_point *P, const anys
                         anysl_float *distance, anysl_normal *N, anysl_normal *Ng,
                         anysl_color *color, anysl_color *opacity) {
   using namespace anysl;
-  float found[13];
+  float found[13], change[rayChangeCount];
+  if constexpr (hasDerivatives<anysl_float>)
+    copyRayChange(context, *P, *R, change);
   askForValues(context->args, context->point, float(numberOf(P->x)), float(numberOf(P->y)),
                float(numberOf(P->z)), float(numberOf(R->x)), float(numberOf(R->y)),
-               float(numberOf(R->z)), float(numberOf(*reach)), *what, numbers, numberCount, texts,
-               textCount, found);
+               float(numberOf(R->z)), float(numberOf(*reach)), change, *what, numbers, numberCount,
+               texts, textCount, found);
   bool isHit = found[0] >= 0;
   *distance = select(isHit, anysl_float(found[0]), anysl_float(nothingMet));
   *N = {anysl_float(found[1]), anysl_float(found[2]), anysl_float(found[3])};

@@ -6,13 +6,14 @@
 //===------------------------------------------------------------------------------------------===//
 //
 // To be included where a runtime has defined, in an unnamed namespace, where a component lies of
-// the globals (step 0: one number serves all points) and of a parameter:
+// the globals (step 0: one number serves all points) and, in arrays laid out as
+// AnyslShadeArgs::param_data, of an element of parameter `id`, where a type has `components` of
+// them:
 //
 //     anysl_number &number(const anysl_context *, uint32_t component, uint32_t step);
 //     template <int components>
-//     anysl_number &varying(const anysl_context *, uint32_t id, uint32_t element, int component);
-//     bool isWanted(const anysl_context *, uint32_t id);   // whether the host gave a parameter an
-//     array
+//     anysl_number &inArrays(const anysl_context *, void *const *arrays, uint32_t id,
+//                            uint32_t element, int component);
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -27,11 +28,13 @@ anysl_number &globalNumber(const anysl_context *context, uint32_t id, int compon
   return number(context, anysl::globalComponent[id] + uint32_t(component), anysl::globalStep[id]);
 }
 
-/// Component `component` of a place on the surface, to second order. The turning of the unit normal
-/// n says how the surface bends: where a and b are u or v, P_ab . n = -P_a . n_b. What P_ab has
-/// along the surface depends on how u and v lie in it, turns no normal, and is left out.
+/// Component `component` of a place on the surface, or of the way there, to second order; its first
+/// derivatives are byU and byV. The turning of the unit normal n says how the surface bends: where
+/// a and b are u or v, P_ab . n = -P_a . n_b. What P_ab has along the surface depends on how u and
+/// v lie in it, turns no normal, and is left out.
 template <typename Real>
-Real curved(const anysl_context *context, anysl_number value, int component) {
+Real curved(const anysl_context *context, anysl_number value, anysl_number byU, anysl_number byV,
+            int component) {
   using namespace anysl;
   using Triple = Vec<anysl_number>;
   auto triple = [&](const uint32_t &first) {
@@ -47,7 +50,7 @@ Real curved(const anysl_context *context, anysl_number value, int component) {
   Triple nv = turning(triple(anysl_derivative_input_dNdv));
   auto of = [&](const Triple &x) { return component == 0 ? x.x : component == 1 ? x.y : x.z; };
   return expand<Real>(
-      {value, of(Pu), of(Pv), -dot(Pu, nu) * of(n), -dot(Pu, nv) * of(n), -dot(Pv, nv) * of(n)});
+      {value, byU, byV, -dot(Pu, nu) * of(n), -dot(Pu, nv) * of(n), -dot(Pv, nv) * of(n)});
 }
 
 /// Component `component` of the global `id`, with its derivatives where the real has some.
@@ -56,9 +59,14 @@ anysl_float loadGlobal(const anysl_context *context, uint32_t id, int component)
   anysl_number value = globalNumber(context, id, component);
   if constexpr (hasDerivatives<anysl_float>) {
     auto derivative = [&](const uint32_t &first) { return number(context, first + component, 1); };
-    if constexpr (derivativeOrder<anysl_float> > 1)
-      if (id == ANYSL_P || id == ANYSL_I)
-        return curved<anysl_float>(context, value, component);
+    if constexpr (derivativeOrder<anysl_float> > 1) {
+      if (id == ANYSL_P)
+        return curved<anysl_float>(context, value, derivative(anysl_derivative_input_dPdu),
+                                   derivative(anysl_derivative_input_dPdv), component);
+      if (id == ANYSL_I)
+        return curved<anysl_float>(context, value, derivative(anysl_derivative_input_dIdu),
+                                   derivative(anysl_derivative_input_dIdv), component);
+    }
     // The number of a global is a constant of the call, of which one case is left.
     switch (id) {
 #define ANYSL_DERIVATIVE(name, byU, byV)                                                           \
@@ -74,7 +82,57 @@ anysl_float loadGlobal(const anysl_context *context, uint32_t id, int component)
   }
 }
 
+/// Whether the host gave a parameter an array.
+bool isWanted(const anysl_context *context, uint32_t id) {
+  void *const *data = context->args->param_data;
+  return data && data[id];
+}
+
+template <int components>
+anysl_number &varying(const anysl_context *context, uint32_t id, uint32_t element, int component) {
+  return inArrays<components>(context, context->args->param_data, id, element, component);
+}
+
+/// A derivative of a parameter given point by point; 0 where the host has none.
+template <int components>
+anysl_number varyingDerivative(const anysl_context *context, void *const *arrays, uint32_t id,
+                               uint32_t element, int component) {
+  if (!arrays)
+    return 0;
+  id = anysl_derivative_param(id);
+  return arrays[id] ? inArrays<components>(context, arrays, id, element, component)
+                    : anysl_number(0);
+}
+
+/// Component `component` of such a parameter, with its derivatives where the real has some.
+template <int components>
+anysl_float loadVarying(const anysl_context *context, uint32_t id, uint32_t element,
+                        int component) {
+  using namespace anysl;
+  anysl_number value = varying<components>(context, id, element, component);
+  if constexpr (hasDerivatives<anysl_float>) {
+    const AnyslShadeArgs *args = context->args;
+    return withDerivatives<anysl_float>(
+        value, varyingDerivative<components>(context, args->param_by_u, id, element, component),
+        varyingDerivative<components>(context, args->param_by_v, id, element, component));
+  } else {
+    return value;
+  }
+}
+
 } // namespace
+
+// Without derivatives nobody asks, and the linker defines no such places.
+anysl_number anysl::stepOfU(const anysl_context *context) {
+  if constexpr (hasDerivatives<anysl_float>)
+    return number(context, anysl_derivative_input_du, 1);
+  return 0;
+}
+anysl_number anysl::stepOfV(const anysl_context *context) {
+  if constexpr (hasDerivatives<anysl_float>)
+    return number(context, anysl_derivative_input_dv, 1);
+  return 0;
+}
 
 //===-- Globals -------------------------------------------------------------------------------===//
 
@@ -110,25 +168,25 @@ void anysl_store_global_vector(anysl_context *context, uint32_t id, const anysl_
 
 void anysl_load_varying_float(anysl_float *result, anysl_context *context, uint32_t id,
                               uint32_t element) {
-  *result = varying<1>(context, id, element, 0);
+  *result = loadVarying<1>(context, id, element, 0);
 }
 
 void anysl_load_varying_color(anysl_color *result, anysl_context *context, uint32_t id,
                               uint32_t element) {
-  *result = {varying<3>(context, id, element, 0), varying<3>(context, id, element, 1),
-             varying<3>(context, id, element, 2)};
+  *result = {loadVarying<3>(context, id, element, 0), loadVarying<3>(context, id, element, 1),
+             loadVarying<3>(context, id, element, 2)};
 }
 
 void anysl_load_varying_vector(anysl_vector *result, anysl_context *context, uint32_t id,
                                uint32_t element) {
-  *result = {varying<3>(context, id, element, 0), varying<3>(context, id, element, 1),
-             varying<3>(context, id, element, 2)};
+  *result = {loadVarying<3>(context, id, element, 0), loadVarying<3>(context, id, element, 1),
+             loadVarying<3>(context, id, element, 2)};
 }
 
 void anysl_load_varying_matrix(anysl_matrix *result, anysl_context *context, uint32_t id,
                                uint32_t element) {
   anysl::repeat<16>(
-      [&](auto k) { result->m[k / 4][k % 4] = varying<16>(context, id, element, k); });
+      [&](auto k) { result->m[k / 4][k % 4] = loadVarying<16>(context, id, element, k); });
 }
 
 void anysl_store_varying_float(anysl_context *context, uint32_t id, uint32_t element,

@@ -32,8 +32,15 @@ SurfacePoint plane(Vec3d P, Vec3d dPdu, Vec3d dPdv) {
   return point;
 }
 
+Ray ray(Vec3f origin, Vec3f direction) {
+  Ray result;
+  result.origin = origin;
+  result.direction = direction;
+  return result;
+}
+
 void fromEye(SurfacePoint &point) {
-  findFootprint(camera(), true, Vec3f(), Vec3f(normalized(point.frame.P)), point);
+  findFootprint(camera(), true, ray({}, Vec3f(normalized(point.frame.P))), point);
 }
 
 } // namespace
@@ -70,7 +77,7 @@ TEST_CASE("a surface that leans away is seen for longer", "[footprint]") {
 
 TEST_CASE("parallel rays see the same at every depth", "[footprint]") {
   SurfacePoint point = plane({1, 2, 50}, {2, 0, 0}, {0, 4, 0});
-  findFootprint(camera(false), true, {1, 2, 0}, {0, 0, 1}, point);
+  findFootprint(camera(false), true, ray({1, 2, 0}, {0, 0, 1}), point);
   CHECK(point.du == Approx(0.01));
   CHECK(point.dv == Approx(0.005));
 }
@@ -78,9 +85,31 @@ TEST_CASE("parallel rays see the same at every depth", "[footprint]") {
 TEST_CASE("a mirror prolongs the way from the eye", "[footprint]") {
   // Straight back from a mirror at depth 3 to a plane at depth 1.
   SurfacePoint point = plane({0, 0, 1}, {1, 0, 0}, {0, 1, 0});
-  findFootprint(camera(), false, {0, 0, 3}, {0, 0, -1}, point);
+  findFootprint(camera(), false, ray({0, 0, 3}, {0, 0, -1}), point);
   CHECK(point.du == Approx(0.1));
   CHECK(point.dv == Approx(0.1));
+}
+
+TEST_CASE("a ray's neighbours say what u and v change by, and how I changes", "[footprint]") {
+  // From (0, 0, 3) straight back to depth 1; the neighbours start (0.1, 0, 0) and (0, 0.2, 0) away
+  // and lean outwards by 0.05 and 0.3 for each unit of length.
+  RaySpread spread{{{0.1, 0, 0}, {0, 0.2, 0}}, {{0.05, 0, 0}, {0, 0.3, 0}}};
+  Ray traced = ray({0, 0, 3}, {0, 0, -1});
+  traced.spread = &spread;
+  SurfacePoint point = plane({0, 0, 1}, {1, 0, 0}, {0, 4, 0});
+  findFootprint(camera(), false, traced, point);
+  CHECK(point.toRight.u == Approx(0.1 + 2 * 0.05));
+  CHECK(point.down.v == Approx((0.2 + 2 * 0.3) / 4));
+  CHECK(point.du == Approx(0.2));
+  CHECK(point.dv == Approx(0.2));
+  // P goes 0.2 to the right while the origin goes 0.1: I changes by half of what P does.
+  CHECK(point.dIdu.x == Approx(0.5));
+  CHECK(point.dIdv.y == Approx(4 * 0.75));
+  // Behind a surface that it has passed the ray is still the same.
+  traced.origin = {0, 0, 2};
+  traced.travelled = 1;
+  findFootprint(camera(), false, traced, point);
+  CHECK(point.du == Approx(0.2));
 }
 
 TEST_CASE("where a surface has no two directions nothing changes", "[footprint]") {
