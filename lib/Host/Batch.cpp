@@ -381,7 +381,14 @@ AnyslStatus anysl_batch_bind_double(AnyslBatch *batch, const char *param, uint32
 AnyslStatus anysl_batch_want_output(AnyslBatch *batch, const char *param) {
   return guarded([&] {
     int index;
-    return provideParam(*batch, param, ANYSL_PARAM_OUTPUT, index);
+    if (AnyslStatus status = provideParam(*batch, param, ANYSL_PARAM_OUTPUT, index))
+      return status;
+    const char *const outputs[] = {param, nullptr};
+    AnyslSceneFacts facts = {};
+    facts.outputs = outputs;
+    if (const AnyslDemandInfo *demand = demandOf(*batch->library))
+      facts.time = demand->time;
+    return checkDemand(*batch->library, facts);
   });
 }
 

@@ -8,6 +8,8 @@
 #include "lib/Host/Internal.h"
 #include "lib/Host/Text.h"
 
+#include <cstring>
+
 using namespace anysl::host;
 
 namespace {
@@ -60,14 +62,17 @@ AnyslStatus wrongCount(const AnyslInstance &instance, const AnyslParamInfo &para
                                     ", not " + std::to_string(count));
 }
 
-AnyslStatus findSettable(const AnyslInstance &instance, const char *name, bool text,
-                         const AnyslParamInfo *&param) {
-  if (AnyslStatus status = findTyped(instance, name, text, param))
-    return status;
-  if (param->flags & ANYSL_PARAM_FIXED)
-    return fail(ANYSL_ERROR_STATE, context(*instance.library, *instance.shader) + "parameter '" +
-                                       name + "' was fixed when the library was linked");
-  return ANYSL_OK;
+/// A constant of the library may be set to what it is.
+AnyslStatus checkFixed(const AnyslInstance &instance, const AnyslParamInfo &param, bool isSame) {
+  if (isSame)
+    return ANYSL_OK;
+  return fail(ANYSL_ERROR_STATE, context(*instance.library, *instance.shader) + "parameter '" +
+                                     param.name + "' was fixed when the library was linked");
+}
+
+/// Whether two numbers are the same to the library's real.
+bool isSameNumber(const AnyslInstance &instance, double a, double b) {
+  return instance.library->info->real == ANYSL_REAL_FLOAT ? float(a) == float(b) : a == b;
 }
 
 /// Where an array may have fewer elements than it has room for, the parameter that says how many.
@@ -99,7 +104,7 @@ void markSet(AnyslInstance &instance, const AnyslParamInfo &param, bool set) {
 AnyslStatus setNumbers(AnyslInstance &instance, const char *name, const double *values,
                        size_t count) {
   const AnyslParamInfo *param;
-  if (AnyslStatus status = findSettable(instance, name, false, param))
+  if (AnyslStatus status = findTyped(instance, name, false, param))
     return status;
   uint32_t cells = cellsOf(*param);
   bool spread = count == 1 && !param->array_length;
@@ -107,10 +112,17 @@ AnyslStatus setNumbers(AnyslInstance &instance, const char *name, const double *
     return wrongCount(instance, *param, count);
   AnyslCell *cell = &instance.cells[param->first_cell];
   bool diagonal = spread && param->type == ANYSL_MATRIX;
+  auto value = [&](uint32_t i) {
+    return diagonal ? (i % 5 == 0 ? values[0] : 0) : spread ? values[0] : i < count ? values[i] : 0;
+  };
+  if (param->flags & ANYSL_PARAM_FIXED) {
+    bool isSame = true;
+    for (uint32_t i = 0; i < cells; ++i)
+      isSame &= isSameNumber(instance, cell[i].number, value(i));
+    return checkFixed(instance, *param, isSame);
+  }
   for (uint32_t i = 0; i < cells; ++i)
-    cell[i].number = diagonal ? (i % 5 == 0 ? values[0] : 0)
-                     : spread ? values[0]
-                              : (i < count ? values[i] : 0);
+    cell[i].number = value(i);
   setLength(instance, *param, count);
   markSet(instance, *param, true);
   return ANYSL_OK;
@@ -119,10 +131,18 @@ AnyslStatus setNumbers(AnyslInstance &instance, const char *name, const double *
 AnyslStatus setStrings(AnyslInstance &instance, const char *name, const char *const *values,
                        size_t count) {
   const AnyslParamInfo *param;
-  if (AnyslStatus status = findSettable(instance, name, true, param))
+  if (AnyslStatus status = findTyped(instance, name, true, param))
     return status;
   if (!fitsCount(instance, *param, count))
     return wrongCount(instance, *param, count);
+  if (param->flags & ANYSL_PARAM_FIXED) {
+    bool isSame = true;
+    for (size_t i = 0; i < count; ++i) {
+      const char *text = instance.cells[param->first_cell + i].string;
+      isSame &= !std::strcmp(text ? text : "", values[i]);
+    }
+    return checkFixed(instance, *param, isSame);
+  }
   std::vector<std::unique_ptr<std::string>> copies;
   for (size_t i = 0; i < count; ++i)
     copies.push_back(std::make_unique<std::string>(values[i]));

@@ -14,6 +14,7 @@
 #define ANYSL_LIB_HOST_INTERNAL_H
 
 #include <anysl/anysl.h>
+#include <anysl/demand.h>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -63,6 +64,11 @@ int standardLightValue(const AnyslLight &light, const AnyslQuery &query, AnyslCe
 
 /// Whether everything the descriptor says can be relied upon; fails with a message if not.
 AnyslStatus checkDescriptor(const LoadedLibrary &library);
+
+/// What a library was linked for; null: any scene.
+const AnyslDemandInfo *demandOf(const LoadedLibrary &library);
+/// Fails if the library lacks what a scene calls for.
+AnyslStatus checkDemand(const LoadedLibrary &library, const AnyslSceneFacts &facts);
 
 /// What the processor lacks of a comma-separated list of x86 features, in the list's own words;
 /// empty if nothing. A name that is not known counts as lacking.

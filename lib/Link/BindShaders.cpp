@@ -12,7 +12,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/Link/Session.h"
+#include "lib/Link/Prune.h"
 #include "llvm/ADT/MapVector.h"
 #include "llvm/ADT/SetVector.h"
 #include "llvm/ADT/StringSet.h"
@@ -76,7 +76,7 @@ Function *hookNamed(Session &session, StringRef root, StringRef hook) {
 }
 
 /// The effects and services of the operators that the shader reaches, and their names.
-void noteOperators(Shader &shader) {
+void noteOperators(const Session &session, Shader &shader) {
   // The stage `lower` has yet to come: structural operators are declarations.
   StringSet<> called;
   for (Function *function : reachableFrom({shader.info.body, shader.info.init}))
@@ -85,7 +85,7 @@ void noteOperators(Shader &shader) {
         if (Function *callee = call->getCalledFunction())
           called.insert(callee->getName());
   for (const stc::OpInfo &op : stc::allOps()) {
-    if (!called.contains(op.symbol()))
+    if (!called.contains(op.symbol()) || unneededIn(session, op.op))
       continue;
     shader.report.ops.push_back(op.name.str());
     shader.effects |= 1u << unsigned(op.effect);
@@ -120,7 +120,7 @@ bool bindShaders(Session &session) {
   if (!body || !init)
     return false;
   for (Shader &shader : session.shaders) {
-    noteOperators(shader);
+    noteOperators(session, shader);
     shader.point = bindShader(*module.getFunction(pointName), *body, *shader.info.body,
                               shader.symbol + ".point");
     shader.init = bindShader(*module.getFunction(initName), *init, *shader.info.init,

@@ -12,12 +12,16 @@
 
 #include "lib/Link/Session.h"
 #include "lib/Support/Tool.h"
+#include "llvm/ADT/SetVector.h"
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/IR/Constants.h"
 #include "llvm/IR/IRBuilder.h"
 #include "llvm/IR/Module.h"
+#include "llvm/Support/xxhash.h"
 #include "llvm/Target/TargetMachine.h"
 #include "llvm/Transforms/IPO/Internalize.h"
 #include <anysl/abi.h>
+#include <anysl/demand.h>
 #include <anysl/notes.h>
 
 using namespace llvm;
@@ -45,9 +49,29 @@ public:
     auto *library = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                        GlobalValue::ExternalLinkage, info, ANYSL_LIBRARY_SYMBOL);
     library->setAlignment(Align(8));
+    if (session.options.scene)
+      describeDemand(*session.options.scene);
   }
 
 private:
+  /// What the scene was, for hosts that have another (<anysl/demand.h>).
+  void describeDemand(const demand::Demand &scene) {
+    std::string manifest = demand::writeManifest(scene, /*places=*/false);
+    SmallSetVector<StringRef, 8> dropped;
+    for (const Shader &shader : session.shaders)
+      for (const std::string &name : shader.report.droppedOutputs)
+        dropped.insert(name);
+    Constant *time =
+        ConstantFP::get(builder.getDoubleTy(), scene.shutter ? (*scene.shutter)[0] : 0);
+    Constant *info =
+        structure(sizeof(AnyslDemandInfo),
+                  {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
+                   u64(xxh3_64bits(manifest)), text(manifest), text(join(dropped, ",")), time});
+    auto *variable = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
+                                        GlobalValue::ExternalLinkage, info, ANYSL_DEMAND_SYMBOL);
+    variable->setAlignment(Align(8));
+  }
+
   Constant *u32(uint32_t value) { return builder.getInt32(value); }
   Constant *u64(uint64_t value) { return builder.getInt64(value); }
 
@@ -124,7 +148,8 @@ private:
 bool describe(Session &session) {
   Descriptor(session).build();
   internalizeModule(*session.module, [](const GlobalValue &value) {
-    return value.getName() == ANYSL_LIBRARY_SYMBOL || value.getName() == ANYSL_NOTES_SYMBOL;
+    return value.getName() == ANYSL_LIBRARY_SYMBOL || value.getName() == ANYSL_NOTES_SYMBOL ||
+           value.getName() == ANYSL_DEMAND_SYMBOL;
   });
   return true;
 }

@@ -13,6 +13,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Link/NeutralOps.h"
+#include "lib/Link/Prune.h"
 #include "lib/Link/Session.h"
 #include "passes/Vectorize/VectorAbi.h"
 #include "passes/Vectorize/Vectorize.h"
@@ -45,6 +46,8 @@ public:
     for (Layer &layer : session.layers)
       addModule(layer.name, layer.module.get());
     // The user's own files come last and win: they may define operators as well.
+    if (Module *unneeded = layerForScene())
+      addModule("what the scene does without", unneeded);
     for (stc::StcModule &file : session.files)
       addModule("'" + file.path + "'", file.module.get());
   }
@@ -85,6 +88,19 @@ private:
     SmallSetVector<GlobalValue *, 32> needed;
   };
 
+  /// Stands before the runtime's operators, and is made once, also where linking begins anew.
+  Module *layerForScene() {
+    SmallVector<stc::Op> ops;
+    for (const stc::OpInfo &op : stc::allOps())
+      if (unneededIn(session, op.op))
+        ops.push_back(op.op);
+    if (std::unique_ptr<Module> module = makeUnneededOps(session.context, ops)) {
+      session.layers.push_back({"what the scene does without", nullptr, std::move(module)});
+      return session.layers.back().module.get();
+    }
+    return nullptr;
+  }
+
   void addModule(const std::string &name, Module *module) {
     module->setDataLayout(session.target.createDataLayout());
     module->setTargetTriple(session.target.getTargetTriple().str());
@@ -124,8 +140,9 @@ private:
       return;
     if (op && op->effect == stc::Effect::Derivatives && !derivative)
       derivative = origin;
-    looksUp |= op && (op->effect == stc::Effect::Textures ||
-                      (op->effect == stc::Effect::Trace && session.options.rayDerivatives));
+    looksUp |= op && !unneededIn(session, op->op) &&
+               (op->effect == stc::Effect::Textures ||
+                (op->effect == stc::Effect::Trace && session.options.rayDerivatives));
     GlobalValue *value = definition(name);
     if (op && (!value || value->getParent() == neutralOps) && !neutralMeaning(op->op).empty())
       declinedOp(*op, origin);

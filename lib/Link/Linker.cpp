@@ -85,6 +85,8 @@ bool runStages(Session &session, ArrayRef<std::string> files) {
   return
       // Constants go in while a parameter is still an operator with a cell's number.
       run(session, "specialize", specializeParams) &&
+      // While what a scene does without is a call with a name and a place.
+      run(session, "prune", prune) &&
       // Reads the bodies that the shaders reach and no others, which keeps linking fast however
       // much the libraries grow.
       run(session, "link", linkModules) &&

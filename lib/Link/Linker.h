@@ -14,6 +14,7 @@
 #ifndef ANYSL_LIB_LINK_LINKER_H
 #define ANYSL_LIB_LINK_LINKER_H
 
+#include "lib/Demand/Demand.h"
 #include "lib/Link/Report.h"
 #include "llvm/IR/Module.h"
 #include <memory>
@@ -44,6 +45,8 @@ struct LinkOptions {
   std::vector<std::string> params;
   /// Operators without what keeps hard cases right (runtimes/plain).
   bool plainOperators = false;
+  /// What the scene calls for that the shaders are linked for; null: any scene.
+  const demand::Demand *scene = nullptr;
   /// Note where a number stops being finite (<anysl/notes.h>).
   bool checkNaN = false;
   /// Leave every loop after so many rounds, and note that; 0: loops run as long as they do.

@@ -51,7 +51,10 @@ static void define(stc::Builder &builder, Op op, double value) {
       builder.call(Op::splat_vector, {&argument, number});
     }
   }
-  builder.ir().CreateRetVoid();
+  if (function->getReturnType()->isVoidTy())
+    builder.ir().CreateRetVoid();
+  else
+    builder.ir().CreateRet(Constant::getNullValue(function->getReturnType()));
 }
 
 std::unique_ptr<Module> makeNeutralOps(LLVMContext &context) {
@@ -59,6 +62,16 @@ std::unique_ptr<Module> makeNeutralOps(LLVMContext &context) {
   builder.setLocation("neutral", 1, 1);
 #define STC_NEUTRAL(name, value, meaning) define(builder, Op::name, value);
 #include "lib/STC/Neutral.def"
+  return builder.finish();
+}
+
+std::unique_ptr<Module> makeUnneededOps(LLVMContext &context, ArrayRef<stc::Op> ops) {
+  if (ops.empty())
+    return nullptr;
+  stc::Builder builder(context, "unneeded", "anysl-link " ANYSL_VERSION);
+  builder.setLocation("unneeded", 1, 1);
+  for (stc::Op op : ops)
+    define(builder, op, 0);
   return builder.finish();
 }
 

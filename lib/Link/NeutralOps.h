@@ -20,6 +20,11 @@ llvm::StringRef neutralMeaning(stc::Op op);
 /// A module that defines every operator of Neutral.def by its neutral value.
 std::unique_ptr<llvm::Module> makeNeutralOps(llvm::LLVMContext &context);
 
+/// A module that defines the operators that a scene does without as Unneeded.def says; null if
+/// there are none.
+std::unique_ptr<llvm::Module> makeUnneededOps(llvm::LLVMContext &context,
+                                              llvm::ArrayRef<stc::Op> ops);
+
 } // namespace anysl::link
 
 #endif

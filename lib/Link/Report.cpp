@@ -6,7 +6,12 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Link/Report.h"
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Format.h"
+#include "llvm/Support/FormatAdapters.h"
+#include "llvm/Support/Path.h"
+#include <map>
+#include <tuple>
 
 using namespace llvm;
 
@@ -45,8 +50,20 @@ json::Value toJson(const MathCall &call) {
                       {"tiers", std::move(tiers)}};
 }
 
+json::Value toJson(const EffectUse &use) {
+  return json::Object{{"effect", use.effect},
+                      {"op", use.op},
+                      {"file", use.position.file},
+                      {"line", use.position.line},
+                      {"column", use.position.column},
+                      {"kept", use.isKept},
+                      {"why", use.why}};
+}
+
 json::Value toJson(const ShaderReport &shader) {
-  json::Array remarks, mathCalls;
+  json::Array remarks, mathCalls, uses;
+  for (const EffectUse &use : shader.effectUses)
+    uses.push_back(toJson(use));
   for (const MathCall &call : shader.mathCalls)
     mathCalls.push_back(toJson(call));
   for (const WideningRemark &remark : shader.remarks)
@@ -62,6 +79,8 @@ json::Value toJson(const ShaderReport &shader) {
                       {"globalsRead", list(shader.globalsRead)},
                       {"globalsWritten", list(shader.globalsWritten)},
                       {"fixedParams", list(shader.fixedParams)},
+                      {"droppedOutputs", list(shader.droppedOutputs)},
+                      {"effectUses", std::move(uses)},
                       {"widths", list(shader.widths)},
                       {"fallbacks", std::move(remarks)},
                       {"mathCalls", std::move(mathCalls)}};
@@ -83,6 +102,33 @@ json::Value Report::toJson() const {
                       {"outputBytes", int64_t(outputBytes)},
                       {"shaders", std::move(shaderList)},
                       {"stages", std::move(stages)}};
+}
+
+void Report::printEffects(raw_ostream &out) const {
+  for (const ShaderReport &shader : shaders) {
+    out << "shader " << shader.name << ", " << shader.scalarInstructions << " instructions\n";
+    // One line for calls that share everything but their place.
+    using Line = std::tuple<std::string, bool, std::string>; // effect, kept, why
+    std::map<Line, std::map<std::string, unsigned>> lines;
+    for (const EffectUse &use : shader.effectUses) {
+      std::string place = use.op;
+      if (use.position)
+        place += " " + sys::path::filename(use.position.file).str() + ":" +
+                 std::to_string(use.position.line);
+      ++lines[{use.effect, use.isKept, use.why}][place];
+    }
+    for (const auto &[line, places] : lines) {
+      const auto &[effect, isKept, why] = line;
+      out << "  " << left_justify(effect, 12) << (isKept ? "kept     " : "dropped  ");
+      ListSeparator separator;
+      for (const auto &[place, count] : places) {
+        out << separator << place;
+        if (count > 1)
+          out << " (" << count << " times)";
+      }
+      out << (why.empty() ? "" : "; ") << why << '\n';
+    }
+  }
 }
 
 void Report::printTimes(raw_ostream &out) const {

@@ -38,6 +38,14 @@ struct MathCall {
   std::vector<std::pair<std::string, std::string>> functions;
 };
 
+/// A call of an operator that belongs to an effect, in a shader linked for a scene.
+struct EffectUse {
+  std::string effect, op;
+  FilePosition position;
+  bool isKept = false;
+  std::string why; ///< it went
+};
+
 struct ShaderReport {
   std::string name;
   std::string kind;
@@ -49,6 +57,8 @@ struct ShaderReport {
   std::vector<std::string> callsLeft;
   /// The operators that the shader reaches, library functions included.
   std::vector<std::string> ops, effects, services, globalsRead, globalsWritten, fixedParams;
+  std::vector<EffectUse> effectUses;       ///< with a scene only
+  std::vector<std::string> droppedOutputs; ///< output parameters nobody looks at
   std::vector<unsigned> widths;
   std::vector<WideningRemark> remarks;
   std::vector<MathCall> mathCalls;
@@ -62,6 +72,8 @@ struct Report {
   uint64_t outputBytes = 0;
 
   llvm::json::Value toJson() const;
+  /// A table of the effects that the shaders can have: kept or dropped, where, and why.
+  void printEffects(llvm::raw_ostream &out) const;
   /// A table of the stages' times.
   void printTimes(llvm::raw_ostream &out) const;
 };

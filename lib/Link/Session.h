@@ -13,6 +13,7 @@
 #include "lib/STC/Reader.h"
 #include "llvm/ADT/BitVector.h"
 #include "llvm/ADT/SetVector.h"
+#include <deque>
 
 namespace llvm {
 class MemoryBuffer;
@@ -74,6 +75,10 @@ struct Session {
   bool notesBounds = false;
   /// Which math tier computes what.
   MathChoice math;
+
+  /// Keeps a text as long as the session.
+  llvm::StringRef keep(std::string text) { return kept.emplace_back(std::move(text)); }
+  std::deque<std::string> kept;
 
   /// Shaders' files; their modules are used up by `link`.
   std::vector<stc::StcModule> files;

@@ -11,7 +11,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/Link/Session.h"
+#include "lib/Link/Prune.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/IR/IRBuilder.h"
 #include "llvm/IR/InstIterator.h"
@@ -20,14 +20,6 @@ using namespace llvm;
 
 namespace anysl::link {
 namespace {
-
-/// A parameter's constant, one text a cell.
-struct FixedValue {
-  Shader *shader;
-  unsigned param;
-  SmallVector<StringRef> texts;
-  SmallVector<double> numbers; ///< unless it is a string
-};
 
 /// Splits at commas; within a string parameter a backslash makes the next character ordinary.
 SmallVector<StringRef> splitValues(StringRef text) {
@@ -63,7 +55,7 @@ std::optional<FixedValue> parseValue(Session &session, Shader &shader, unsigned 
     session.diags.error("--param " + shader.info.name + "." + param.name + ": " + reason);
     return std::nullopt;
   };
-  FixedValue value{&shader, number, splitValues(text), {}};
+  FixedValue value{&shader, number, splitValues(text), {}, {}};
   unsigned cells = param.cellCount();
   if (lengthParam(shader, number) && value.texts.size() < cells &&
       value.texts.size() % info(param.type).components == 0)
@@ -135,7 +127,8 @@ bool parseOption(Session &session, StringRef option, std::vector<FixedValue> &va
       if (std::optional<unsigned> length = lengthParam(shader, i)) {
         unsigned components = info(shader.info.params[i].type).components;
         shader.fixed[*length] = true;
-        values.push_back({&shader, *length, {}, {double(splitValues(text).size() / components)}});
+        values.push_back(
+            {&shader, *length, {}, {double(splitValues(text).size() / components)}, {}});
       }
     }
   }
@@ -157,6 +150,7 @@ public:
   void construct(Value *slot, stc::Type type, const FixedValue &value, unsigned element,
                  Instruction &before) {
     builder.SetInsertPoint(&before);
+    cause = value.cause;
     unsigned components = info(type).components, first = element * components;
     switch (type) {
     case stc::Type::floatTy:
@@ -199,13 +193,19 @@ private:
 
   CallInst *call(stc::Op op, ArrayRef<Value *> operands) {
     const stc::OpInfo &operation = info(op);
-    return builder.CreateCall(module.getOrInsertFunction(
-                                  operation.symbol(), functionType(module.getContext(), operation)),
-                              operands);
+    CallInst *made =
+        builder.CreateCall(module.getOrInsertFunction(operation.symbol(),
+                                                      functionType(module.getContext(), operation)),
+                           operands);
+    if (!cause.empty())
+      made->setMetadata(causeMetadata, MDNode::get(module.getContext(),
+                                                   MDString::get(module.getContext(), cause)));
+    return made;
   }
 
   Module &module;
   IRBuilder<> builder;
+  StringRef cause; ///< of the constant being made
 };
 
 /// Replaces a call that concerns the fixed parameter, if it is one.
@@ -250,6 +250,8 @@ bool specializeParams(Session &session) {
     good &= parseOption(session, option, values);
   if (!good)
     return false;
+  if (session.options.scene)
+    findSceneConstants(session, values);
 
   for (const FixedValue &value : values) {
     value.shader->report.fixedParams.push_back(value.shader->info.params[value.param].name);

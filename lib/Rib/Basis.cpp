@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Rib/Basis.h"
+#include "lib/Rib/SceneDescription.h"
 
 #include <utility>
 
@@ -42,4 +43,12 @@ uint32_t Basis::segments(uint32_t count, bool wraps) const {
     return 0;
   uint32_t beyond = wraps ? count : count - 4;
   return beyond % step != 0 ? 0 : beyond / step + !wraps;
+}
+
+uint32_t CurvesShape::segments(uint32_t count) const {
+  return cubic ? basis.segments(count, wraps) : count < 2 ? 0 : count - !wraps;
+}
+
+uint32_t PatchShape::Direction::segments(bool cubic) const {
+  return cubic ? basis.segments(count, wraps) : count - !wraps;
 }

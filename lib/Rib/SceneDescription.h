@@ -67,6 +67,8 @@ struct ShaderUse {
   ParameterList parameters;
   Matrix4 shaderToCamera = Matrix4::identity();
   Location where;
+  /// The use that this one is with values of a shape's own; null: none.
+  const ShaderUse *variantOf = nullptr;
 };
 
 /// Which rays see a surface.

@@ -10,6 +10,7 @@
 #include "lib/Link/Linker.h"
 #include "lib/Support/Output.h"
 #include "lib/Support/Tool.h"
+#include "tools/anysl-link/Scene.h"
 #include "tools/anysl-link/WithinError.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/IR/LLVMContext.h"
@@ -60,6 +61,16 @@ cl::list<std::string> params("param",
                              cl::desc("Make a parameter constant; without SHADER, in every "
                                       "shader that has it"),
                              cl::value_desc("[SHADER.]NAME=value[,value...]"), cl::cat(category));
+cl::opt<std::string> sceneFile("scene",
+                               cl::desc("Link for a scene, a RIB file or a JSON manifest, and "
+                                        "leave out what it does not call for"),
+                               cl::value_desc("FILE"), cl::cat(category));
+cl::list<std::string> beside("beside",
+                             cl::desc("With --scene: another shader of the scene, which is not "
+                                      "linked, but may ask these for their parameters"),
+                             cl::value_desc("FILE.stc.bc"), cl::cat(category));
+cl::opt<bool> effects("effects", cl::desc("With --scene: print each effect, kept or dropped"),
+                      cl::cat(category));
 cl::opt<std::string> decline("decline",
                              cl::desc("What to do where a shader asks for what the runtime does "
                                       "not offer but may decline: neutral (give a neutral value, "
@@ -180,6 +191,18 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;
+  if (sceneFile.empty() && (effects || !beside.empty())) {
+    diags.error("--effects and --beside go with --scene");
+    return false;
+  }
+  std::optional<demand::Demand> scene;
+  if (!sceneFile.empty()) {
+    scene =
+        readScene(diags, sceneFile, {inputs.begin(), inputs.end()}, {beside.begin(), beside.end()});
+    if (!scene)
+      return false;
+    options.scene = &*scene;
+  }
   if (decline != "neutral" && decline != "error") {
     diags.error("--decline=" + decline + ": there are neutral and error");
     return false;
@@ -230,6 +253,8 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
     (void)sys::fs::file_size(path, result->report.outputBytes);
   if (timeStages)
     result->report.printTimes(errs());
+  if (effects)
+    result->report.printEffects(outs());
   return writeReport(diags, result->report);
 }
 

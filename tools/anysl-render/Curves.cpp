@@ -13,10 +13,6 @@
 
 using namespace anysl::render;
 
-uint32_t CurvesShape::segments(uint32_t count) const {
-  return cubic ? basis.segments(count, wraps) : count < 2 ? 0 : count - !wraps;
-}
-
 namespace {
 
 /// The control values of a Bézier curve that runs as another basis has it.

@@ -78,10 +78,6 @@ private:
 
 } // namespace
 
-uint32_t PatchShape::Direction::segments(bool cubic) const {
-  return cubic ? basis.segments(count, wraps) : count - !wraps;
-}
-
 std::unique_ptr<Mesh> anysl::render::tessellate(const PatchShape &shape,
                                                 const ParameterList &variables,
                                                 const Placement &placement, const Dicing &dicing) {

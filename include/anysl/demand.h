@@ -1,0 +1,77 @@
+/*===-- anysl/demand.h - what a shader library was linked for -----------------------------*- C -*-===
+ *
+ * Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+ * SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+ *
+ *===--------------------------------------------------------------------------------------------===
+ *
+ * A library linked for a scene (anysl-link --scene, docs/effects.md) has only what the scene calls
+ * for. It carries what that was, so that a renderer that wants more is refused, with the reason:
+ * parameters that were folded take no other value (anysl_instance_set_numbers says so), and what a
+ * scene may not have is asked for here:
+ *
+ *     AnyslSceneFacts facts = {sizeof facts};
+ *     facts.has = 1u << ANYSL_ASSUMES_NO_LIGHTS;      // there are lights
+ *     if (anysl_library_allows(library, &facts))      // ANYSL_ERROR_STATE, and anysl_last_error()
+ *       ...                                           // use the general library instead
+ *
+ * anysl_library_open_for() does both.
+ *
+ *===--------------------------------------------------------------------------------------------===*/
+
+#ifndef ANYSL_DEMAND_H
+#define ANYSL_DEMAND_H
+
+#include <anysl/anysl.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The bits of AnyslDemandInfo::assumes. */
+typedef enum AnyslAssumption {
+#define ANYSL_ASSUMPTION(id, name, doc) ANYSL_ASSUMES_##name = id,
+#include <anysl/Assumptions.def>
+  ANYSL_ASSUMPTION_COUNT
+} AnyslAssumption;
+
+/** The symbol of such a library's AnyslDemandInfo. */
+#define ANYSL_DEMAND_SYMBOL "anysl_demand"
+
+typedef struct AnyslDemandInfo {
+  uint32_t struct_size;
+  uint32_t assumes;     /**< bit 1 << ANYSL_ASSUMES_...: what the scene does without */
+  uint64_t digest;      /**< of the manifest: equal for equal demands */
+  const char *manifest; /**< what it was linked for, as JSON (docs/effects.md) */
+  const char *dropped_outputs; /**< names of the output parameters nobody looks at, with commas */
+  double time;                 /**< of all points, where no motion is assumed */
+} AnyslDemandInfo;
+
+/** What a renderer's scene has, and wants to see. */
+typedef struct AnyslSceneFacts {
+  uint32_t struct_size;
+  uint32_t has;               /**< bit 1 << ANYSL_ASSUMES_...: it has what is assumed not to be there */
+  const char *const *outputs; /**< output parameters that it wants, with a null pointer behind the
+                                   last; null: none */
+  double time;                /**< of all points, where it has no motion */
+} AnyslSceneFacts;
+
+/** What a library was linked for; null of one that serves every scene. Lives as long as the library. */
+ANYSL_API const AnyslDemandInfo *anysl_library_demand(const AnyslLibrary *library);
+
+/** ANYSL_OK if a library has all that a scene calls for, else ANYSL_ERROR_STATE. */
+ANYSL_API AnyslStatus anysl_library_allows(const AnyslLibrary *library,
+                                           const AnyslSceneFacts *facts);
+
+/**
+ * Opens a library linked for a scene if it has all that this one calls for, else the general one.
+ * A null `general` leaves it at the refusal. Which one it is, anysl_library_demand() tells.
+ */
+ANYSL_API AnyslStatus anysl_library_open_for(const char *path, const char *general,
+                                             const AnyslSceneFacts *facts, AnyslLibrary **library);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,76 @@
+//===-- lib/Demand/Demand.h - what a scene calls for --------------------------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_LIB_DEMAND_DEMAND_H
+#define ANYSL_LIB_DEMAND_DEMAND_H
+
+#include "lib/Rib/SceneDescription.h"
+
+#include <set>
+#include <span>
+
+namespace anysl::demand {
+
+/// The value that a scene gives a parameter.
+struct Value {
+  std::vector<double> numbers; ///< empty: it is text
+  std::string text;
+  std::string from; ///< who gives it: "scene.rib:12"
+};
+
+/// What the scene says of a shader's parameters.
+struct ShaderDemand {
+  /// Nothing as a value: the renderer sets it, to what is not known here.
+  std::map<std::string, std::optional<Value>, std::less<>> parameters;
+  /// Those that are not named keep their defaults.
+  bool complete = false;
+};
+
+/// What a scene calls for. What is not said is not known, and kept.
+struct Demand {
+  std::map<std::string, ShaderDemand, std::less<>> shaders;
+  /// The outputs that somebody looks at: "Ci", output parameters.
+  std::optional<std::vector<std::string>> outputs;
+  /// Names of parameters that other shaders of the scene ask for or set.
+  std::optional<std::vector<std::string>> asked;
+  /// The kinds of lights that shine: "ambientlight", "distantlight", a light shader's name.
+  std::optional<std::vector<std::string>> lights;
+  std::optional<bool> shadows; ///< whether some light casts shadows
+  std::optional<unsigned> rayDepth;
+  std::optional<std::vector<std::string>> textures;
+  std::optional<bool> displacement, atmosphere, imager, lens;
+  std::optional<std::array<double, 2>> shutter; ///< when it opens and closes
+
+  /// Bits 1 << ANYSL_ASSUMES_... of what a library for this scene may take for granted.
+  uint32_t assumptions() const;
+};
+
+/// Reads a manifest (docs/effects.md). Throws UserError with the place of what is wrong in it.
+Demand readManifest(const std::shared_ptr<const render::SourceFile> &file);
+/// The manifest of a demand, on one line: equal demands give equal texts. Without `places` it does
+/// not say who gives a value.
+std::string writeManifest(const Demand &demand, bool places = true);
+
+/// What a scene says apart from its shaders' parameters. Some reader of the shaders has to find out
+/// what they ask each other.
+Demand demandOf(const render::SceneDescription &scene);
+/// The names of shapes' variables, which go into parameters of these names.
+std::set<std::string> variablesOf(const render::SceneDescription &scene);
+/// Adds what the uses of one shader have in common.
+void addShader(Demand &demand, const std::set<std::string> &variables,
+               std::span<const render::ShaderUse *const> uses);
+/// A scene's demand with all its shaders.
+Demand demandOfAll(const render::SceneDescription &scene);
+
+/// The name of the shader that a file holds by its own: without folders and suffixes.
+std::string shaderName(const std::string &file);
+/// "scene.rib:12".
+std::string placeOf(const render::Location &where);
+
+} // namespace anysl::demand
+
+#endif

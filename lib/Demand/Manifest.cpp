@@ -1,0 +1,275 @@
+//===-- lib/Demand/Manifest.cpp - a demand as JSON --------------------------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Demand/Demand.h"
+#include "lib/Demand/Json.h"
+
+#include <anysl/demand.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using namespace anysl::render;
+
+namespace anysl::demand {
+namespace {
+
+void expect(const Json &value, Json::Kind kind, const std::string &key) {
+  if (value.kind != kind)
+    throw UserError(value.where,
+                    "\"" + key + "\" is " + describe(kind) + ", not " + describe(value.kind));
+}
+
+bool readBool(const Json &value, const std::string &key) {
+  expect(value, Json::Bool, key);
+  return value.truth;
+}
+
+std::vector<std::string> readTexts(const Json &value, const std::string &key) {
+  expect(value, Json::Array, key);
+  std::vector<std::string> result;
+  for (const Json &item : value.items) {
+    expect(item, Json::Text, key + "[]");
+    result.push_back(item.text);
+  }
+  return result;
+}
+
+/// Calls the reader of each member; one that has none is refused, with those that there are.
+struct Key {
+  const char *name;
+  std::function<void(const Json &, const std::string &)> read;
+};
+void readMembers(const Json &object, const char *what, std::span<const Key> keys) {
+  for (const Json::Member &member : object.members) {
+    auto key = std::find_if(keys.begin(), keys.end(),
+                            [&](const Key &each) { return each.name == member.key; });
+    if (key == keys.end()) {
+      std::string known;
+      for (const Key &each : keys)
+        known += (known.empty() ? "" : ", ") + std::string(each.name);
+      throw UserError(member.where,
+                      std::string(what) + " has no \"" + member.key + "\"; there are " + known);
+    }
+    key->read(member.value, member.key);
+  }
+}
+
+/// 0.5, [1, 0, 0], "grid.tex", null, or one of these with its origin: {"value": 0.5, "from":
+/// "..."}.
+std::optional<Value> readValue(const Json &json, const std::string &name) {
+  if (json.kind == Json::Null)
+    return std::nullopt;
+  Value result;
+  result.from = placeOf(json.where);
+  const Json *value = &json;
+  if (json.kind == Json::Object) {
+    value = nullptr;
+    const Key keys[] = {{"value", [&](const Json &given, const std::string &) { value = &given; }},
+                        {"from", [&](const Json &given, const std::string &key) {
+                           expect(given, Json::Text, key);
+                           result.from = given.text;
+                         }}};
+    readMembers(json, "a value", keys);
+    if (!value)
+      throw UserError(json.where, "\"" + name + "\" has no \"value\"");
+  }
+  if (value->kind == Json::Text) {
+    result.text = value->text;
+  } else if (value->kind == Json::Number) {
+    result.numbers = {value->number};
+  } else if (value->kind == Json::Array && !value->items.empty()) {
+    for (const Json &item : value->items) {
+      expect(item, Json::Number, name + "[]");
+      result.numbers.push_back(item.number);
+    }
+  } else {
+    throw UserError(value->where,
+                    "\"" + name + "\" is a number, numbers or text, not " + describe(value->kind));
+  }
+  return result;
+}
+
+ShaderDemand readShader(const Json &json, const std::string &name, bool complete) {
+  expect(json, Json::Object, name);
+  ShaderDemand result;
+  result.complete = complete;
+  const Key keys[] = {{"parameters",
+                       [&](const Json &value, const std::string &key) {
+                         expect(value, Json::Object, key);
+                         for (const Json::Member &member : value.members)
+                           result.parameters[member.key] = readValue(member.value, member.key);
+                       }},
+                      {"complete", [&](const Json &value, const std::string &key) {
+                         result.complete = readBool(value, key);
+                       }}};
+  readMembers(json, "a shader", keys);
+  return result;
+}
+
+/// A manifest that says all there is to say: what it leaves out is not called for.
+void complete(Demand &demand) {
+  auto fill = [](auto &member, auto value) {
+    if (!member)
+      member = std::move(value);
+  };
+  const std::vector<std::string> none;
+  fill(demand.outputs, std::vector<std::string>{"Ci", "Oi"});
+  fill(demand.asked, none);
+  fill(demand.lights, none);
+  fill(demand.textures, none);
+  fill(demand.shadows, false);
+  fill(demand.rayDepth, 0u);
+  fill(demand.displacement, false);
+  fill(demand.atmosphere, false);
+  fill(demand.imager, false);
+  fill(demand.lens, false);
+  fill(demand.shutter, std::array<double, 2>{0, 0});
+}
+
+} // namespace
+
+Demand readManifest(const std::shared_ptr<const SourceFile> &file) {
+  Json json = parseJson(file);
+  expect(json, Json::Object, "the manifest");
+  Demand result;
+  // How the rest is read depends on this.
+  bool isComplete = false;
+  for (const Json::Member &member : json.members)
+    if (member.key == "complete")
+      isComplete = readBool(member.value, member.key);
+  auto texts = [](std::optional<std::vector<std::string>> &target) {
+    return [&target](const Json &value, const std::string &key) { target = readTexts(value, key); };
+  };
+  auto truth = [](std::optional<bool> &target) {
+    return [&target](const Json &value, const std::string &key) { target = readBool(value, key); };
+  };
+  const Key keys[] = {
+      {"complete", [](const Json &, const std::string &) {}},
+      {"shaders",
+       [&](const Json &value, const std::string &key) {
+         expect(value, Json::Object, key);
+         for (const Json::Member &member : value.members)
+           result.shaders[member.key] = readShader(member.value, member.key, isComplete);
+       }},
+      {"outputs", texts(result.outputs)},
+      {"asked", texts(result.asked)},
+      {"lights", texts(result.lights)},
+      {"shadows", truth(result.shadows)},
+      {"rayDepth",
+       [&](const Json &value, const std::string &key) {
+         expect(value, Json::Number, key);
+         if (!(value.number >= 0) || value.number > 1e6 || value.number != std::floor(value.number))
+           throw UserError(value.where, "\"rayDepth\" is a whole number from 0 on");
+         result.rayDepth = unsigned(value.number);
+       }},
+      {"textures", texts(result.textures)},
+      {"displacement", truth(result.displacement)},
+      {"atmosphere", truth(result.atmosphere)},
+      {"imager", truth(result.imager)},
+      {"lens", truth(result.lens)},
+      {"shutter", [&](const Json &value, const std::string &key) {
+         expect(value, Json::Array, key);
+         if (value.items.size() != 2)
+           throw UserError(value.where, "\"shutter\" is two times, when it opens and closes");
+         for (const Json &item : value.items)
+           expect(item, Json::Number, "shutter[]");
+         result.shutter = {value.items[0].number, value.items[1].number};
+       }}};
+  readMembers(json, "a manifest", keys);
+  if (isComplete)
+    complete(result);
+  return result;
+}
+
+std::string writeManifest(const Demand &demand, bool places) {
+  std::string result = "{";
+  auto key = [&](const char *name) {
+    result += (result.size() > 1 ? ", " : "") + quoted(name) + ": ";
+  };
+  auto texts = [&](const char *name, const std::optional<std::vector<std::string>> &list) {
+    if (!list)
+      return;
+    key(name);
+    std::string items;
+    for (const std::string &item : *list)
+      items += (items.empty() ? "" : ", ") + quoted(item);
+    result += "[" + items + "]";
+  };
+  auto truth = [&](const char *name, std::optional<bool> value) {
+    if (!value)
+      return;
+    key(name);
+    result += *value ? "true" : "false";
+  };
+  auto valueText = [&](const Value &value) {
+    std::string text;
+    for (double number : value.numbers)
+      text += (text.empty() ? "" : ", ") + shortest(number);
+    text = value.numbers.empty()       ? quoted(value.text)
+           : value.numbers.size() == 1 ? text
+                                       : "[" + text + "]";
+    return places && !value.from.empty()
+               ? "{\"value\": " + text + ", \"from\": " + quoted(value.from) + "}"
+               : text;
+  };
+  if (!demand.shaders.empty()) {
+    key("shaders");
+    std::string shaders;
+    for (const auto &[name, shader] : demand.shaders) {
+      std::string parameters;
+      for (const auto &[parameter, value] : shader.parameters)
+        parameters += (parameters.empty() ? "" : ", ") + quoted(parameter) + ": " +
+                      (value ? valueText(*value) : "null");
+      shaders += (shaders.empty() ? "" : ", ") + quoted(name) +
+                 ": {\"complete\": " + (shader.complete ? "true" : "false") +
+                 ", \"parameters\": {" + parameters + "}}";
+    }
+    result += "{" + shaders + "}";
+  }
+  texts("outputs", demand.outputs);
+  texts("asked", demand.asked);
+  texts("lights", demand.lights);
+  truth("shadows", demand.shadows);
+  if (demand.rayDepth) {
+    key("rayDepth");
+    result += std::to_string(*demand.rayDepth);
+  }
+  texts("textures", demand.textures);
+  truth("displacement", demand.displacement);
+  truth("atmosphere", demand.atmosphere);
+  truth("imager", demand.imager);
+  truth("lens", demand.lens);
+  if (demand.shutter) {
+    key("shutter");
+    result += "[" + shortest((*demand.shutter)[0]) + ", " + shortest((*demand.shutter)[1]) + "]";
+  }
+  return result + "}";
+}
+
+uint32_t Demand::assumptions() const {
+  auto bit = [](AnyslAssumption assumption, bool holds) {
+    return holds ? uint32_t(1) << assumption : 0;
+  };
+  bool mayBeAmbient = false, shines = false;
+  for (const std::string &kind : lights ? *lights : std::vector<std::string>()) {
+    bool isStandard = kind == "distantlight" || kind == "pointlight" || kind == "spotlight";
+    mayBeAmbient |= !isStandard;
+    shines |= kind != "ambientlight";
+  }
+  return bit(ANYSL_ASSUMES_NO_LIGHTS, lights && !shines) |
+         bit(ANYSL_ASSUMES_NO_AMBIENT, lights && !mayBeAmbient) |
+         bit(ANYSL_ASSUMES_NO_SHADOWS, shadows && !*shadows) |
+         bit(ANYSL_ASSUMES_NO_TRACED_RAYS, rayDepth && *rayDepth == 0) |
+         bit(ANYSL_ASSUMES_NO_TEXTURES, textures && textures->empty()) |
+         bit(ANYSL_ASSUMES_NO_DISPLACEMENT, displacement && !*displacement) |
+         bit(ANYSL_ASSUMES_NO_VOLUMES, atmosphere && !*atmosphere) |
+         bit(ANYSL_ASSUMES_NO_MOTION, shutter && (*shutter)[0] == (*shutter)[1]);
+}
+
+} // namespace anysl::demand

@@ -1,0 +1,167 @@
+//===-- lib/Demand/SceneDemand.cpp - what a scene that was read calls for ---------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Demand/Demand.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+using namespace anysl::render;
+
+namespace anysl::demand {
+namespace {
+
+/// The lights that shine on something.
+std::set<uint32_t> usedLights(const SceneDescription &scene) {
+  std::set<uint32_t> result;
+  for (const Shape &shape : scene.shapes) {
+    const std::vector<uint32_t> &lights = scene.appearances[shape.appearance].lights;
+    result.insert(lights.begin(), lights.end());
+  }
+  return result;
+}
+
+/// The places of shaders that some shape uses, and of those that others call.
+struct UsedShaders {
+  std::set<int> surfaces, displacements, volumes, coshaders;
+  explicit UsedShaders(const SceneDescription &scene) {
+    for (const Shape &shape : scene.shapes) {
+      const Appearance &appearance = scene.appearances[shape.appearance];
+      surfaces.insert(appearance.surface);
+      displacements.insert(appearance.displacement);
+      volumes.insert({appearance.atmosphere, appearance.interior, appearance.exterior});
+      if (appearance.coshaders)
+        for (const auto &[handle, index] : *appearance.coshaders)
+          coshaders.insert(index);
+    }
+    for (std::set<int> *set : {&surfaces, &displacements, &volumes, &coshaders})
+      set->erase(-1);
+  }
+};
+
+bool isSame(const Value &a, const Value &b) { return a.numbers == b.numbers && a.text == b.text; }
+
+/// A parameter's value; nothing where it is no single value that a shader could be compiled for.
+/// Geometric values are left to the renderer, which knows in which space it wants them.
+std::optional<Value> valueOf(const Parameter &parameter) {
+  Value result;
+  result.from = placeOf(parameter.where);
+  if (parameter.declaration) {
+    ValueType type = parameter.declaration->type;
+    if (parameter.declaration->arrayLength ||
+        (type != ValueType::Float && type != ValueType::Color && type != ValueType::String))
+      return std::nullopt;
+  }
+  if (parameter.strings.size() == 1)
+    result.text = parameter.strings[0];
+  else if (parameter.numbers.size() == 1 || parameter.numbers.size() == 3)
+    result.numbers = parameter.numbers;
+  else
+    return std::nullopt;
+  return result;
+}
+
+} // namespace
+
+std::string shaderName(const std::string &file) {
+  std::string name = std::filesystem::path(file).filename().string();
+  return name.substr(0, name.find('.'));
+}
+
+std::string placeOf(const Location &where) {
+  if (!where.file)
+    return {};
+  size_t line, column;
+  where.lineAndColumn(line, column);
+  return std::filesystem::path(where.file->name).filename().string() + ":" + std::to_string(line);
+}
+
+Demand demandOf(const SceneDescription &scene) {
+  Demand result;
+  std::set<std::string> outputs{"Ci", "Oi"}, lights;
+  for (const OutputFile &output : scene.outputs)
+    for (const OutputVariable &variable : output.variables)
+      if (variable.name != "rgb" && variable.name != "a" && variable.name != "z")
+        outputs.insert(variable.name);
+  result.outputs.emplace(outputs.begin(), outputs.end());
+  bool shadows = false;
+  for (uint32_t index : usedLights(scene)) {
+    lights.insert(scene.lights[index].name);
+    shadows |= scene.lights[index].castsShadow;
+  }
+  result.lights.emplace(lights.begin(), lights.end());
+  result.shadows = shadows;
+  result.rayDepth = scene.maxDepth;
+  UsedShaders used(scene);
+  result.displacement = !used.displacements.empty();
+  result.atmosphere = !used.volumes.empty();
+  result.imager = scene.imager >= 0;
+  result.lens = scene.camera.lensRadius > 0;
+  result.shutter = {scene.camera.shutterOpen, scene.camera.shutterClose};
+  return result;
+}
+
+std::set<std::string> variablesOf(const SceneDescription &scene) {
+  std::set<std::string> result;
+  for (const Shape &shape : scene.shapes)
+    for (const Parameter &variable : shape.variables)
+      result.insert(variable.name);
+  return result;
+}
+
+void addShader(Demand &demand, const std::set<std::string> &variables,
+               std::span<const ShaderUse *const> uses) {
+  if (uses.empty())
+    return;
+  ShaderDemand &shader = demand.shaders[shaderName(uses[0]->name)];
+  shader.complete = true;
+  for (const Parameter &parameter : uses[0]->parameters)
+    shader.parameters[parameter.name] = valueOf(parameter);
+  for (const ShaderUse *use : uses.subspan(1)) {
+    // What one gives and the other leaves at its default differs as well.
+    for (auto &[name, value] : shader.parameters) {
+      const Parameter *other = findParameter(use->parameters, name);
+      std::optional<Value> its = other ? valueOf(*other) : std::nullopt;
+      if (!its || !value || !isSame(*its, *value))
+        value.reset();
+    }
+    for (const Parameter &parameter : use->parameters)
+      shader.parameters.try_emplace(parameter.name);
+  }
+  for (const std::string &name : variables)
+    shader.parameters[name].reset();
+}
+
+Demand demandOfAll(const SceneDescription &scene) {
+  Demand result = demandOf(scene);
+  UsedShaders used(scene);
+  std::map<std::string, std::vector<const ShaderUse *>> uses;
+  auto add = [&](const ShaderUse &use) { uses[shaderName(use.name)].push_back(&use); };
+  for (const auto *set : {&used.surfaces, &used.displacements, &used.volumes})
+    for (int index : *set)
+      add(scene.shaders[size_t(index)]);
+  if (scene.imager >= 0)
+    add(scene.shaders[size_t(scene.imager)]);
+  std::vector<ShaderUse> lights;
+  for (uint32_t index : usedLights(scene)) {
+    const LightUse &light = scene.lights[index];
+    lights.push_back({ShaderKind::Light, light.name, light.parameters, light.lightToCamera,
+                      light.where, nullptr});
+  }
+  for (const ShaderUse &light : lights)
+    add(light);
+  const std::set<std::string> variables = variablesOf(scene);
+  for (const auto &[name, list] : uses)
+    addShader(result, variables, list);
+  // A co-shader's parameters are set and read by whoever calls it.
+  for (int index : used.coshaders)
+    result.shaders.erase(shaderName(scene.shaders[size_t(index)].name));
+  return result;
+}
+
+} // namespace anysl::demand

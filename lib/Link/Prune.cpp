@@ -1,0 +1,357 @@
+//===-- lib/Link/Prune.cpp - leaves out what a scene does not call for --------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+//
+// Works on the threaded code, where an effect still is a call with a name and a place. Three things
+// take a call away, and each is written down for the report: no way leads to it any more, since the
+// constants of the scene decide a branch; the scene has nothing that it could ask for; nobody uses
+// what it gives. What libraries call is left to the optimiser, with neutral operators in place of
+// those that the scene does without (LinkModules.cpp).
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "lib/Link/Prune.h"
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/IR/CFG.h"
+#include "llvm/IR/Constants.h"
+#include "llvm/IR/InstIterator.h"
+#include "llvm/Transforms/Utils/BasicBlockUtils.h"
+#include "llvm/Transforms/Utils/Local.h"
+#include <anysl/demand.h>
+
+using namespace llvm;
+
+namespace anysl::link {
+
+using stc::Op;
+using stc::ParamKind;
+
+namespace {
+
+const stc::OpInfo *opOf(const Instruction &instruction) {
+  auto *call = dyn_cast<CallInst>(&instruction);
+  const Function *callee = call ? call->getCalledFunction() : nullptr;
+  return callee ? stc::opOfSymbol(callee->getName()) : nullptr;
+}
+
+uint64_t idOf(const CallInst &call, const stc::OpInfo &op) {
+  for (auto [param, operand] : zip_equal(op.params, call.args()))
+    if (param.kind == ParamKind::Id)
+      return cast<ConstantInt>(operand)->getZExtValue();
+  return ~uint64_t(0);
+}
+
+std::string join(const std::set<std::string> &texts) { return llvm::join(texts, ", "); }
+
+class Pruner {
+public:
+  Pruner(Session &session, Shader &shader, const std::optional<std::set<std::string>> &asked)
+      : session(session), shader(shader), asked(asked), body(*shader.info.body) {}
+
+  void run() {
+    foldBranches();
+    dropOutputs();
+    do
+      dropUnused();
+    while (joinBranches());
+    noteGlobals();
+  }
+
+private:
+  void note(const CallInst &call, bool isKept, const Twine &why) {
+    const stc::OpInfo *op = opOf(call);
+    if (op && op->effect != stc::Effect::Core)
+      shader.report.effectUses.push_back({stc::nameOf(op->effect).str(), op->name.str(),
+                                          stc::positionOf(call), isKept, why.str()});
+  }
+
+  /// Makes branches of constant conditions go one way, and takes away what no way leads to.
+  void foldBranches() {
+    SlotConstants constants(body, session.real, sceneOracle(session));
+    std::map<BasicBlock *, std::string> whyNot;
+    SmallVector<std::pair<BranchInst *, bool>> decided;
+    for (BasicBlock &block : body) {
+      auto *branch = dyn_cast<BranchInst>(block.getTerminator());
+      if (!constants.isReached(&block) || !branch || !branch->isConditional())
+        continue;
+      auto *truth = dyn_cast_or_null<ConstantInt>(constants.constantOf(branch->getCondition()));
+      if (!truth)
+        continue;
+      decided.push_back({branch, !truth->isZero()});
+      std::string why = join(constants.causesOf(branch->getCondition()));
+      SmallVector<BasicBlock *> worklist{branch->getSuccessor(truth->isZero() ? 0 : 1)};
+      while (!worklist.empty()) {
+        BasicBlock *next = worklist.pop_back_val();
+        if (constants.isReached(next) || !whyNot.try_emplace(next, why).second)
+          continue;
+        append_range(worklist, successors(next));
+      }
+    }
+    for (auto &[block, why] : whyNot)
+      for (Instruction &instruction : *block)
+        if (auto *call = dyn_cast<CallInst>(&instruction))
+          note(*call, false, "never reached: " + (why.empty() ? "always so" : why));
+    for (auto [branch, truth] : decided)
+      branch->setCondition(ConstantInt::getBool(session.context, truth));
+    for (BasicBlock &block : body)
+      ConstantFoldTerminator(&block, /*DeleteDeadConditions=*/false);
+    removeUnreachableBlocks(body);
+    for (Instruction &instruction : make_early_inc_range(instructions(body)))
+      if (auto *call = dyn_cast<CallInst>(&instruction); call && !call->getType()->isVoidTy())
+        if (Constant *constant = constants.constantOf(call); constant && unneededCall(*call))
+          call->replaceAllUsesWith(constant);
+  }
+
+  bool unneededCall(const CallInst &call) const {
+    const stc::OpInfo *op = opOf(call);
+    return op && sceneOracle(session)(call, *op);
+  }
+
+  /// Output parameters that nobody looks at and no shader asks for are not stored.
+  void dropOutputs() {
+    const auto &outputs = session.options.scene->outputs;
+    if (!outputs || !asked)
+      return;
+    for (unsigned i = 0; i < shader.info.params.size(); ++i) {
+      const stc::ParamInfo &param = shader.info.params[i];
+      if (!param.output || is_contained(*outputs, param.name) || asked->contains(param.name))
+        continue;
+      for (Instruction &instruction : make_early_inc_range(instructions(body))) {
+        const stc::OpInfo *op = opOf(instruction);
+        if (!op || op->purity != stc::Purity::Writes || idKind(*op) != stc::IdKind::Param)
+          continue;
+        auto &call = cast<CallInst>(instruction);
+        if (idOf(call, *op) != i)
+          continue;
+        note(call, false, "nobody looks at '" + param.name + "'");
+        call.eraseFromParent();
+        shader.report.droppedOutputs.push_back(param.name);
+      }
+    }
+    auto &dropped = shader.report.droppedOutputs;
+    llvm::sort(dropped);
+    dropped.erase(unique(dropped), dropped.end());
+  }
+
+  /// What a pointer is an element of.
+  static const Value *slotOf(const Value *value) {
+    while (auto *call = dyn_cast<CallInst>(value)) {
+      const stc::OpInfo *op = opOf(*call);
+      if (!op || op->op != Op::element)
+        break;
+      value = call->getArgOperand(0);
+    }
+    return value;
+  }
+
+  /// Where a point's random numbers and rays come one after the other, one that goes changes those
+  /// behind it: they go together or not at all.
+  static bool isSequence(const stc::OpInfo &op) {
+    return op.purity == stc::Purity::Stateful || op.effect == stc::Effect::Trace ||
+           op.effect == stc::Effect::Indirect;
+  }
+
+  /// Takes away what computes nothing that is used.
+  void dropUnused() {
+    SmallPtrSet<const Instruction *, 32> live;
+    SmallPtrSet<const Value *, 32> liveSlots;
+    SmallVector<const Instruction *> worklist;
+    bool sequenceIsLive = false;
+    auto enliven = [&](const Instruction *instruction) {
+      if (live.insert(instruction).second)
+        worklist.push_back(instruction);
+    };
+    auto writes = [](const CallInst &call, const stc::OpInfo *op, auto &&visit) {
+      for (unsigned i = 0; i < call.arg_size(); ++i) {
+        Value *operand = call.getArgOperand(i);
+        if (!op ? operand->getType()->isPointerTy()
+                : op->params[i].isValue() && op->params[i].kind != ParamKind::In)
+          visit(slotOf(operand));
+      }
+    };
+    SmallVector<const CallInst *> calls;
+    for (const Instruction &instruction : instructions(body)) {
+      const stc::OpInfo *op = opOf(instruction);
+      if (op && op->purity == stc::Purity::Structural)
+        continue;
+      if (auto *call = dyn_cast<CallInst>(&instruction))
+        calls.push_back(call);
+      bool isRoot = instruction.isTerminator() || (isa<CallInst>(instruction) && !op) ||
+                    (op && (op->purity == stc::Purity::Writes || op->op == Op::call_method));
+      if (isRoot)
+        enliven(&instruction);
+    }
+    for (bool changed = true; changed;) {
+      while (!worklist.empty()) {
+        const Instruction *instruction = worklist.pop_back_val();
+        const stc::OpInfo *op = opOf(*instruction);
+        sequenceIsLive |= op && isSequence(*op);
+        for (auto [i, operand] : enumerate(instruction->operands())) {
+          auto *call = dyn_cast<CallInst>(instruction);
+          bool isSlot = call && i < call->arg_size() && operand->getType()->isPointerTy();
+          if (isSlot && (!op || (op->params[i].isValue() && op->params[i].kind != ParamKind::Out)))
+            liveSlots.insert(slotOf(operand));
+          if (auto *used = dyn_cast<Instruction>(operand))
+            enliven(used);
+        }
+      }
+      changed = false;
+      for (const CallInst *call : calls) {
+        if (live.contains(call))
+          continue;
+        const stc::OpInfo *op = opOf(*call);
+        bool isUsed = op && sequenceIsLive && isSequence(*op);
+        writes(*call, op, [&](const Value *slot) { isUsed |= liveSlots.contains(slot); });
+        if (!isUsed)
+          continue;
+        enliven(call);
+        changed = true;
+      }
+    }
+    for (Instruction &instruction : make_early_inc_range(instructions(body))) {
+      if (live.contains(&instruction))
+        continue;
+      if (auto *call = dyn_cast<CallInst>(&instruction))
+        note(*call, false, "nothing uses its result");
+      instruction.replaceAllUsesWith(PoisonValue::get(instruction.getType()));
+      instruction.eraseFromParent();
+    }
+  }
+
+  /// A branch whose two ways are empty and meet is none. Its condition may then be unused as well.
+  bool joinBranches() {
+    bool changed = false;
+    auto target = [](BasicBlock *block) {
+      auto *next = dyn_cast<BranchInst>(block->getTerminator());
+      bool isEmpty = &block->front() == next && next && next->isUnconditional() &&
+                     next->getSuccessor(0) != block && next->getSuccessor(0)->phis().empty();
+      return isEmpty ? next->getSuccessor(0) : block;
+    };
+    for (BasicBlock &block : body) {
+      auto *branch = dyn_cast<BranchInst>(block.getTerminator());
+      if (!branch || !branch->isConditional())
+        continue;
+      BasicBlock *one = target(branch->getSuccessor(0)), *other = target(branch->getSuccessor(1));
+      if (one != other || !one->phis().empty())
+        continue;
+      DebugLoc location = branch->getDebugLoc();
+      BranchInst::Create(one, branch->getIterator())->setDebugLoc(location);
+      branch->eraseFromParent();
+      changed = true;
+    }
+    if (changed)
+      removeUnreachableBlocks(body);
+    return changed;
+  }
+
+  /// What is left, and the globals that are still asked for.
+  void noteGlobals() {
+    for (stc::GlobalInfo &global : shader.info.globals)
+      global.read = global.written = false;
+    for (Function *function : reachable())
+      for (Instruction &instruction : instructions(function)) {
+        const stc::OpInfo *op = opOf(instruction);
+        if (!op)
+          continue;
+        auto &call = cast<CallInst>(instruction);
+        if (auto assumption = unneededIn(session, op->op))
+          note(call, false, absence(*assumption));
+        else
+          note(call, true, "");
+        if (idKind(*op) != stc::IdKind::Global)
+          continue;
+        for (stc::GlobalInfo &global : shader.info.globals)
+          if (global.id == idOf(call, *op))
+            (op->purity == stc::Purity::Writes ? global.written : global.read) = true;
+      }
+    erase_if(shader.info.globals,
+             [](const stc::GlobalInfo &global) { return !global.read && !global.written; });
+  }
+
+  /// The body and the module's own functions that it calls.
+  SmallSetVector<Function *, 8> reachable() { return reachableFrom({&body, shader.info.init}); }
+
+  Session &session;
+  Shader &shader;
+  const std::optional<std::set<std::string>> &asked;
+  Function &body;
+};
+
+} // namespace
+
+std::optional<unsigned> unneededIn(const Session &session, Op op) {
+  if (!session.options.scene)
+    return std::nullopt;
+  uint32_t assumes = session.options.scene->assumptions();
+  switch (op) {
+#define STC_UNNEEDED(name, assumption)                                                             \
+  case Op::name:                                                                                   \
+    if (assumes >> ANYSL_ASSUMES_##assumption & 1)                                                 \
+      return ANYSL_ASSUMES_##assumption;                                                           \
+    return std::nullopt;
+#include "lib/STC/Unneeded.def"
+  default:
+    return std::nullopt;
+  }
+}
+
+std::string absence(unsigned assumption) {
+  static const char *const names[] = {
+#define ANYSL_ASSUMPTION(id, name, doc) doc,
+#include <anysl/Assumptions.def>
+  };
+  return std::string("the scene does without ") + names[assumption];
+}
+
+SlotConstants::Oracle sceneOracle(const Session &session) {
+  return [&session](const CallInst &call,
+                    const stc::OpInfo &op) -> std::optional<SlotConstants::Known> {
+    if (!session.options.scene)
+      return std::nullopt;
+    const demand::Demand &scene = *session.options.scene;
+    if (auto assumption = unneededIn(session, op.op)) {
+      SlotConstants::Known known{0, SlotValue{}, absence(*assumption)};
+      // What it changes stays as it is.
+      if (any_of(op.params, [](auto &param) { return param.kind == ParamKind::InOut; }))
+        known.value.reset();
+      return known;
+    }
+    uint32_t assumes = scene.assumptions();
+    auto holds = [&](unsigned assumption) { return (assumes >> assumption & 1) != 0; };
+    if (op.op == Op::load_global_float && idOf(call, op) == ANYSL_time &&
+        holds(ANYSL_ASSUMES_NO_MOTION) && (*scene.shutter)[0] == 0)
+      return SlotConstants::Known{std::nullopt, SlotValue{}, absence(ANYSL_ASSUMES_NO_MOTION)};
+    if (idKind(op) == stc::IdKind::Query) {
+      switch (idOf(call, op)) {
+      case ANYSL_QUERY_displacement:
+        if (holds(ANYSL_ASSUMES_NO_DISPLACEMENT))
+          return SlotConstants::Known{0, std::nullopt, absence(ANYSL_ASSUMES_NO_DISPLACEMENT)};
+        break;
+      case ANYSL_QUERY_atmosphere:
+      case ANYSL_QUERY_incident:
+      case ANYSL_QUERY_opposite:
+        if (holds(ANYSL_ASSUMES_NO_VOLUMES))
+          return SlotConstants::Known{0, std::nullopt, absence(ANYSL_ASSUMES_NO_VOLUMES)};
+        break;
+      default:
+        break;
+      }
+    }
+    return std::nullopt;
+  };
+}
+
+bool prune(Session &session) {
+  if (!session.options.scene)
+    return true;
+  std::optional<std::set<std::string>> asked = askedNames(session);
+  for (Shader &shader : session.shaders)
+    Pruner(session, shader, asked).run();
+  return true;
+}
+
+} // namespace anysl::link

@@ -1,0 +1,45 @@
+//===-- lib/Link/Prune.h - leaves out what a scene does not call for ----------------*- C++ -*-===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_LIB_LINK_PRUNE_H
+#define ANYSL_LIB_LINK_PRUNE_H
+
+#include "lib/Link/Session.h"
+#include "lib/Link/SlotConstants.h"
+
+namespace anysl::link {
+
+/// A parameter's constant, one text a cell.
+struct FixedValue {
+  Shader *shader;
+  unsigned param;
+  llvm::SmallVector<llvm::StringRef> texts;
+  llvm::SmallVector<double> numbers; ///< unless it is a string
+  std::string cause;                 ///< for a scene's: who says so
+};
+
+/// The constants that a scene makes of parameters: those that it states, and the defaults of those
+/// that it leaves alone (SceneParams.cpp).
+void findSceneConstants(Session &session, std::vector<FixedValue> &values);
+
+/// Names of parameters that shaders of this module may ask others for, or set; nothing: there may
+/// be any.
+std::optional<std::set<std::string>> askedNames(const llvm::Module &module);
+
+/// The same for all shaders of the scene.
+std::optional<std::set<std::string>> askedNames(const Session &session);
+
+/// The assumption of the scene under which an operator is not needed; nothing if it may be.
+std::optional<unsigned> unneededIn(const Session &session, stc::Op op);
+/// Its words: "the scene has no lights".
+std::string absence(unsigned assumption);
+/// What the scene says about calls, for SlotConstants.
+SlotConstants::Oracle sceneOracle(const Session &session);
+
+} // namespace anysl::link
+
+#endif

@@ -1,0 +1,85 @@
+// A library linked for a scene refuses a scene that calls for more, with the reason, or a general library takes its place.
+// RUN: rm -rf %t && mkdir %t && cd %t
+// RUN: rslc %S/../Link/Inputs/effects.sl -o effects.stc.bc
+// RUN: echo '{"complete": true, "shutter": [2, 2], "shaders": {"effects": {"parameters": {"Kd": 0.1}}}, "rayDepth": 4}' > scene.json
+// RUN: anysl-link effects.stc.bc -o small.so --scene scene.json --width 1
+// RUN: anysl-link effects.stc.bc -o general.so --width 1
+// RUN: clang -std=c99 -Wall -Werror %anysl_include %s %lib_dir/libanysl.a -lstdc++ -o demand
+// RUN: ./demand | FileCheck %s
+// UNSUPPORTED: sanitizer
+
+#include <anysl/demand.h>
+#include <stdio.h>
+#include <string.h>
+
+static void show(const char *what, AnyslStatus status) {
+  printf("%s: %s\n", what, status ? anysl_last_error() : "yes");
+}
+
+int main(void) {
+  AnyslLibrary *small, *general;
+  if (anysl_library_open("small.so", 0, &small) || anysl_library_open("general.so", 0, &general))
+    return 1;
+  const AnyslDemandInfo *demand = anysl_library_demand(small);
+  // CHECK: general is for all scenes: 1
+  printf("general is for all scenes: %d\n", !anysl_library_demand(general));
+  // CHECK: {"shaders": {"effects": {"complete": true, "parameters": {"Kd": 0.1}}}, "outputs": ["Ci", "Oi"]
+  puts(demand->manifest);
+  // CHECK: dots,mirrored
+  puts(demand->dropped_outputs);
+
+  AnyslSceneFacts facts;
+  memset(&facts, 0, sizeof facts);
+  facts.struct_size = sizeof facts;
+  facts.time = 2;
+  // CHECK: the same: yes
+  show("the same", anysl_library_allows(small, &facts));
+  facts.has = 1u << ANYSL_ASSUMES_NO_TRACED_RAYS;
+  // CHECK: rays: yes
+  show("rays", anysl_library_allows(small, &facts));
+  facts.has = 1u << ANYSL_ASSUMES_NO_LIGHTS;
+  // CHECK: lights: small.so: the library was linked for a scene without lights, and this one has them
+  show("lights", anysl_library_allows(small, &facts));
+  // CHECK: lights, in general: yes
+  show("lights, in general", anysl_library_allows(general, &facts));
+  AnyslLibrary *either = NULL;
+  // CHECK: open: small.so: the library was linked for a scene without lights
+  show("open", anysl_library_open_for("small.so", NULL, &facts, &either));
+  // CHECK: fall back: yes
+  // CHECK-NEXT: general
+  show("fall back", anysl_library_open_for("small.so", "general.so", &facts, &either));
+  printf("%s\n", anysl_library_demand(either) ? "special" : "general");
+  anysl_library_close(either);
+  facts.has = 0;
+  // CHECK: special
+  show("open", anysl_library_open_for("small.so", "general.so", &facts, &either));
+  printf("%s\n", anysl_library_demand(either) ? "special" : "general");
+  anysl_library_close(either);
+  const char *outputs[] = {"Ci", "dots", NULL};
+  facts.outputs = outputs;
+  // CHECK: output: small.so: the library was linked for a scene that does not show 'dots', and this one does
+  show("output", anysl_library_allows(small, &facts));
+  facts.outputs = NULL;
+  facts.time = 3;
+  // CHECK: time: small.so: the library was linked for a scene at time 2.000000, and this one is at time 3.000000
+  show("time", anysl_library_allows(small, &facts));
+
+  AnyslInstance *instance;
+  if (anysl_instance_create(small, "effects", NULL, NULL, &instance))
+    return 1;
+  double value = 0.1, other = 0.2;
+  const char *none = "", *some = "grid.tex";
+  // A constant of the library may be set to what it is.
+  // CHECK: Kd = 0.1: yes
+  show("Kd = 0.1", anysl_instance_set_numbers(instance, "Kd", &value, 1));
+  // CHECK: Kd = 0.2: small.so: shader 'effects': parameter 'Kd' was fixed when the library was linked
+  show("Kd = 0.2", anysl_instance_set_numbers(instance, "Kd", &other, 1));
+  // CHECK: tex = "": yes
+  show("tex = \"\"", anysl_instance_set_strings(instance, "tex", &none, 1));
+  // CHECK: tex = "grid.tex": small.so: shader 'effects': parameter 'tex' was fixed when the library was linked
+  show("tex = \"grid.tex\"", anysl_instance_set_strings(instance, "tex", &some, 1));
+  anysl_instance_free(instance);
+  anysl_library_close(small);
+  anysl_library_close(general);
+  return 0;
+}
