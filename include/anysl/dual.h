@@ -295,12 +295,15 @@ template <typename Real>
 inline Dual<Real> atan(const Dual<Real> &x) {
   return chain(atan(x.value), reciprocal(1 + x.value * x.value), x);
 }
-/// y' x / (x^2 + y^2) - x' y / (x^2 + y^2), after both were brought near 1; 0 at the origin.
+/// y' x / (x^2 + y^2) - x' y / (x^2 + y^2), after both were brought near 1; 0 at the origin. Beside
+/// it slopes are limited to 2^120: beyond what a real holds they would be NaN where y' or x' is 0.
 template <typename Real>
 inline Dual<Real> atan2(const Dual<Real> &y, const Dual<Real> &x) {
   Real a0 = absOf(x.value), b0 = absOf(y.value), down, up;
   scaleFor(select(a0 > b0, a0, b0), down, up);
-  Real a = x.value * down, b = y.value * down, scale = anysl::divide(down, a * a + b * b);
+  Real a = x.value * down, b = y.value * down, steepest(0x1p120);
+  Real scale = anysl::divide(down, a * a + b * b);
+  scale = select(scale > steepest, steepest, scale);
   return chain(atan2(y.value, x.value), a * scale, y, -b * scale, x);
 }
 template <typename Real>

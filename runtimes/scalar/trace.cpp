@@ -25,19 +25,20 @@ __attribute__((noinline)) void scalarTrace(const AnyslShadeArgs *args, uint32_t 
                                            const float *change, anysl_number *r, anysl_number *g,
                                            anysl_number *b) {
   const AnyslServices *services = args->services;
+  double color[3] = {0, 0, 0};
   if (change && services->trace_derivatives) {
     float x = float(px), y = float(py), z = float(pz);
-    float X = float(rx), Y = float(ry), Z = float(rz), color[3] = {0, 0, 0};
+    float X = float(rx), Y = float(ry), Z = float(rz), seen[3] = {0, 0, 0};
     const float *const P[3] = {&x, &y, &z}, *const R[3] = {&X, &Y, &Z};
-    float *const found[3] = {color, color + 1, color + 2};
+    float *const found[3] = {seen, seen + 1, seen + 2};
     AnyslRayDerivatives derivatives = rayDerivatives(change);
     services->trace_derivatives(args->renderer, args, point, 1, 1, P, R, &derivatives, found);
-    *r = anysl_number(color[0]), *g = anysl_number(color[1]), *b = anysl_number(color[2]);
-    return;
-  }
-  double P[3] = {px, py, pz}, R[3] = {rx, ry, rz}, color[3] = {0, 0, 0};
-  if (services->trace)
+    for (int c = 0; c < 3; ++c)
+      color[c] = double(seen[c]);
+  } else if (services->trace) {
+    double P[3] = {px, py, pz}, R[3] = {rx, ry, rz};
     services->trace(args->renderer, args, point, P, R, color);
+  }
   *r = anysl_number(color[0]), *g = anysl_number(color[1]), *b = anysl_number(color[2]);
 }
 

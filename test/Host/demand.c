@@ -4,7 +4,7 @@
 // RUN: echo '{"complete": true, "shutter": [2, 2], "shaders": {"effects": {"parameters": {"Kd": 0.1}}}, "rayDepth": 4}' > scene.json
 // RUN: anysl-link effects.stc.bc -o small.so --scene scene.json --width 1
 // RUN: anysl-link effects.stc.bc -o general.so --width 1
-// RUN: clang -std=c99 -Wall -Werror %anysl_include %s %lib_dir/libanysl.a -lstdc++ -o demand
+// RUN: clang -std=c99 -Wall -Werror %anysl_include %s %lib_dir/libanysl.a -lstdc++ -lm -o demand
 // RUN: ./demand | FileCheck %s
 // UNSUPPORTED: sanitizer
 

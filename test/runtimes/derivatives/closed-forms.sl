@@ -51,5 +51,5 @@ surface derivatives(output varying color polynomial = 1; output varying color fu
 
   // P is (s, t, 0).
   areas = color(area(P) - du * dv, area(P + vector(0, 0, s)) - sqrt(2) * du * dv, filterwidth(P) - sqrt(du * dv));
-  eye = color(Du(P) - vector(1, 0, 0)) + color(Du(I) - Du(P)) + color(Dv(N));
+  eye = color(Du(P) - vector(1, 0, 0)) + color(Du(I)) + color(Dv(N));
 }

@@ -1,7 +1,7 @@
 // The globals have the derivatives that the host gives: those of their ramps. s = 1 + 2 u, so the second of s s is 8.
 // RUN: %shade_everywhere %s %t
 // REALS: float double
-// ARGS: --grid 5x3 --ramp s=1:3:x --ramp t=0:-5:x --ramp N=0,0,1:0,4,1:y --ramp P=0,0,0:0,3,4:y --set dsdv=7
+// ARGS: --grid 5x3 --ramp s=1:3:x --ramp t=0:-5:x --ramp N=0,0,1:0,4,1:y --ramp P=0,0,0:0,3,4:y --ramp I=0,0,-1:0,3,3:y --set dsdv=7
 // EXPECT coordinates: 2 7 -5 0
 // EXPECT normals: 0 0 0 0 4 0
 // EXPECT points: 0 0 0 0 3 4
