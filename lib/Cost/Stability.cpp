@@ -12,6 +12,7 @@
 #include "llvm/ADT/STLExtras.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -75,7 +76,9 @@ private:
   }
 
   void runGiven() {
-    Tracer rounded(with(roundedLibrary)), exact(with(exactLibrary));
+    shade::Recorder recorder(std::numeric_limits<uint32_t>::max());
+    Tracer rounded(with(roundedLibrary), options.recorded.empty() ? &recorder : nullptr),
+        exact(with(exactLibrary));
     const shade::Grid &grid = rounded.grid();
     report.kind = anysl_kind_name(grid.shader().kind);
     globalsRead = grid.shader().globals_read;
@@ -86,13 +89,14 @@ private:
       report.height = grid.height();
     }
     examine(rounded, exact, report.points, 0.8);
-    takePool(rounded);
+    takePool(recorder);
   }
 
   /// The inputs of all points, from which others are mixed.
-  void takePool(Tracer &tracer) {
-    pool = tracer.takeInputs();
+  void takePool(shade::Recorder &recorder) {
     if (options.recorded.empty()) {
+      if (std::vector<shade::RecordedShader> parts = recorder.take(); !parts.empty())
+        pool = std::move(parts.front());
       sortBySeed(pool);
       // Its lights are the command line's, and its world stays.
       pool.lights.clear();

@@ -7,15 +7,13 @@
 
 #include "lib/Cost/Trace.h"
 #include <algorithm>
-#include <limits>
 
 using namespace llvm;
 
 namespace anysl::cost {
 
-Tracer::Tracer(const shade::GridOptions &options)
-    : shaded(std::make_unique<shade::Grid>(options)),
-      recorder(std::numeric_limits<uint32_t>::max()) {
+Tracer::Tracer(const shade::GridOptions &options, shade::Recorder *recorder)
+    : shaded(std::make_unique<shade::Grid>(options)), recorder(recorder) {
   auto hear = [](void *tracer, const AnyslNote *note) {
     static_cast<Tracer *>(tracer)->add(*note);
   };
@@ -28,8 +26,8 @@ void Tracer::add(const AnyslNote &note) {
   if (site.kind < ANYSL_NOTE_VALUE || site.kind > ANYSL_NOTE_STORE)
     return;
   // Nothing has been stored before the first operator of the first point is through.
-  if (!isRecorded)
-    recorder.add(*shaded->instance(), *note.args, this, "");
+  if (recorder && !isRecorded)
+    recorder->add(*shaded->instance(), *note.args, this, "");
   isRecorded = true;
   if (note.point != point)
     stepOfPlace.clear();
@@ -58,11 +56,6 @@ std::vector<Trace> Tracer::run(size_t first, uint32_t count) {
   shade::BatchHandle batch = shaded->makeBatch(first, count);
   shade::check(anysl_shade(shaded->instance(), batch.get(), 0, count, 1));
   return std::move(traces);
-}
-
-shade::RecordedShader Tracer::takeInputs() {
-  std::vector<shade::RecordedShader> parts = recorder.take();
-  return parts.empty() ? shade::RecordedShader() : std::move(parts.front());
 }
 
 } // namespace anysl::cost

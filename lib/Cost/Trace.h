@@ -43,15 +43,12 @@ public:
   /// More steps of one point are not kept.
   static constexpr size_t mostSteps = 200'000;
 
-  /// Throws shade::UserError.
-  explicit Tracer(const shade::GridOptions &options);
+  /// \p recorder, if there is one, gets the inputs of the points that run, as they are before the
+  /// shader runs. Throws shade::UserError.
+  explicit Tracer(const shade::GridOptions &options, shade::Recorder *recorder = nullptr);
 
   /// What it does at points [first, first + count).
   std::vector<Trace> run(size_t first, uint32_t count);
-
-  /// The inputs of the points since the last call, as they were before the shader ran; of the
-  /// points that run() has seen, in their order.
-  shade::RecordedShader takeInputs();
 
   const shade::Grid &grid() const { return *shaded; }
 
@@ -59,7 +56,7 @@ private:
   void add(const AnyslNote &note);
 
   std::unique_ptr<shade::Grid> shaded;
-  shade::Recorder recorder;
+  shade::Recorder *recorder; ///< null: the inputs are known
   std::vector<Trace> traces; ///< of the points that are running
   uint32_t point = 0;        ///< whose places are known
   bool isRecorded = false;   ///< the inputs of these points
