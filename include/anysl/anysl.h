@@ -284,6 +284,17 @@ ANYSL_API AnyslStatus anysl_batch_bind_float(AnyslBatch *batch, const char *para
                                              uint32_t count, const float *values, size_t stride);
 ANYSL_API AnyslStatus anysl_batch_bind_double(AnyslBatch *batch, const char *param, uint32_t first,
                                               uint32_t count, const double *values, size_t stride);
+/** How those values change with u and v, for shaders that read that (ANYSL_PARAM_DIFFERENTIATED;
+   others ignore it): laid out as the values, which must have been bound before. Without them, and
+   at points that are never written, derivatives are 0. */
+ANYSL_API AnyslStatus anysl_batch_bind_derivatives_float(AnyslBatch *batch, const char *param,
+                                                         uint32_t first, uint32_t count,
+                                                         const float *by_u, const float *by_v,
+                                                         size_t stride);
+ANYSL_API AnyslStatus anysl_batch_bind_derivatives_double(AnyslBatch *batch, const char *param,
+                                                          uint32_t first, uint32_t count,
+                                                          const double *by_u, const double *by_v,
+                                                          size_t stride);
 /** Asks for an output parameter, so that shading stores it. */
 ANYSL_API AnyslStatus anysl_batch_want_output(AnyslBatch *batch, const char *param);
 /** An output parameter's values; it must have been asked for before shading. */

@@ -59,9 +59,9 @@ void placeGlobalsAoS(AnyslBatch &batch, size_t real) {
                                    ANYSL_COMPONENT_COUNT};
 }
 
-AnyslView paramView(const AnyslBatch &batch, int index) {
+/// How a parameter's values, or derivatives, lie that begin at `base`.
+AnyslView paramView(const AnyslBatch &batch, int index, char *base) {
   size_t components = anysl_type_components(batch.shader->params[index].type);
-  char *base = batch.paramBuffers[index].get();
   if (batch.library->info->layout == ANYSL_LAYOUT_SOA)
     return {base, components * batch.stride, batch.stride, 1};
   return {base, components * batch.stride, 1, components};
@@ -199,8 +199,38 @@ AnyslStatus bindParam(AnyslBatch &batch, const char *name, uint32_t first, uint3
   if (AnyslStatus status = provideParam(batch, name, ANYSL_PARAM_VARYING, index))
     return status;
   batch.paramFlags[index] = 0;
-  copyIn(batch, paramView(batch, index), paramRange(batch.shader->params[index], first, count),
-         values, stride);
+  copyIn(batch, paramView(batch, index, batch.paramBuffers[index].get()),
+         paramRange(batch.shader->params[index], first, count), values, stride);
+  return ANYSL_OK;
+}
+
+template <class Value>
+AnyslStatus bindDerivatives(AnyslBatch &batch, const char *name, uint32_t first, uint32_t count,
+                            const Value *byU, const Value *byV, size_t stride) {
+  if (AnyslStatus status = checkRange(batch, first, count))
+    return status;
+  int index = findParam(*batch.library, *batch.shader, name);
+  if (index < 0)
+    return ANYSL_ERROR_NAME;
+  if (!batch.paramBuffers[index].get() || batch.paramFlags[index])
+    return fail(ANYSL_ERROR_STATE, context(*batch.library, *batch.shader) + "parameter '" + name +
+                                       "' has no values point by point that could change");
+  const AnyslParamInfo &param = batch.shader->params[index];
+  if (!(param.flags & ANYSL_PARAM_DIFFERENTIATED))
+    return ANYSL_OK;
+  auto copy = [&](AnyslBatch::Derivatives &to, void *const *&place, const Value *values) {
+    to.buffers.resize(batch.shader->param_count);
+    to.pointers.resize(batch.shader->param_count);
+    AlignedBuffer &buffer = to.buffers[index];
+    if (!buffer.get())
+      buffer = AlignedBuffer(cellsOf(param) * batch.stride * realSize(*batch.library->info));
+    to.pointers[index] = buffer.get();
+    place = to.pointers.data();
+    copyIn(batch, paramView(batch, index, buffer.get()), paramRange(param, first, count), values,
+           stride);
+  };
+  copy(batch.byU, batch.args.param_by_u, byU);
+  copy(batch.byV, batch.args.param_by_v, byV);
   return ANYSL_OK;
 }
 
@@ -242,8 +272,8 @@ AnyslStatus readOutput(const AnyslBatch &batch, const char *name, uint32_t first
   int index;
   if (AnyslStatus status = findOutput(batch, name, false, index))
     return status;
-  copyOut(batch, paramView(batch, index), paramRange(batch.shader->params[index], first, count),
-          values, stride);
+  copyOut(batch, paramView(batch, index, batch.paramBuffers[index].get()),
+          paramRange(batch.shader->params[index], first, count), values, stride);
   return ANYSL_OK;
 }
 
@@ -378,6 +408,18 @@ AnyslStatus anysl_batch_bind_double(AnyslBatch *batch, const char *param, uint32
   return guarded([&] { return bindParam(*batch, param, first, count, values, stride); });
 }
 
+AnyslStatus anysl_batch_bind_derivatives_float(AnyslBatch *batch, const char *param, uint32_t first,
+                                               uint32_t count, const float *by_u, const float *by_v,
+                                               size_t stride) {
+  return guarded([&] { return bindDerivatives(*batch, param, first, count, by_u, by_v, stride); });
+}
+
+AnyslStatus anysl_batch_bind_derivatives_double(AnyslBatch *batch, const char *param,
+                                                uint32_t first, uint32_t count, const double *by_u,
+                                                const double *by_v, size_t stride) {
+  return guarded([&] { return bindDerivatives(*batch, param, first, count, by_u, by_v, stride); });
+}
+
 AnyslStatus anysl_batch_want_output(AnyslBatch *batch, const char *param) {
   return guarded([&] {
     int index;
@@ -417,6 +459,11 @@ AnyslStatus anysl_batch_unbind(AnyslBatch *batch, const char *param) {
       return ANYSL_ERROR_NAME;
     batch->paramBuffers[index] = AlignedBuffer();
     batch->paramPointers[index] = nullptr;
+    for (AnyslBatch::Derivatives *derivatives : {&batch->byU, &batch->byV})
+      if (!derivatives->buffers.empty()) {
+        derivatives->buffers[index] = AlignedBuffer();
+        derivatives->pointers[index] = nullptr;
+      }
     return ANYSL_OK;
   });
 }

@@ -131,6 +131,10 @@ struct AnyslBatch {
   std::vector<AnyslView> globalViews;                   ///< by global; base null: not there
   std::vector<anysl::host::AlignedBuffer> paramBuffers; ///< by parameter
   std::vector<void *> paramPointers;
+  struct Derivatives {
+    std::vector<anysl::host::AlignedBuffer> buffers; ///< by parameter
+    std::vector<void *> pointers;
+  } byU, byV;                      ///< of bound parameters; empty: of none
   std::vector<uint8_t> paramFlags; ///< as AnyslShadeArgs::param_is_set wants them
   std::vector<uint32_t> seeds;
   AnyslShadeArgs args; ///< without what the instance adds

@@ -185,6 +185,7 @@ void shadeOne(const AnyslInstance &instance, const AnyslShaderInfo &method,
   args.params = cells.data();
   args.param_is_set = isSet.data();
   args.param_data = pointers.data();
+  args.param_by_u = args.param_by_v = nullptr;
   args.data_stride = PointArray<Real>::stride;
   anysl_shader_entry(&method, 1)(&args, point, point + 1);
   for (uint32_t i = 0; i < message.number_count; ++i)

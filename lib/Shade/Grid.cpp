@@ -172,15 +172,19 @@ void Grid::valueAt(const Override &value, size_t point, double *result) const {
                     : value.from[c] + (value.to[c] - value.from[c]) * x;
 }
 
+/// How a ramp changes with u or v.
+void Grid::slopeOf(const Override &value, bool byV, double *result) {
+  for (size_t c = 0; c < value.from.size(); ++c)
+    result[c] = value.alongHeight == byV ? value.to[c] - value.from[c] : 0;
+}
+
 /// How a global changes with u or v: as its ramp has it, else as the plain grid does, where s and P
 /// follow u and t and P follow v.
 void Grid::slopeAt(int global, bool byV, double *result) const {
-  uint32_t components = anysl_global_components(global);
-  std::fill_n(result, components, 0);
+  std::fill_n(result, anysl_global_components(global), 0);
   auto given = globalOverrides.find(global);
   if (given != globalOverrides.end() && given->second.from != given->second.to) {
-    for (uint32_t c = 0; c < components && given->second.alongHeight == byV; ++c)
-      result[c] = given->second.to[c] - given->second.from[c];
+    slopeOf(given->second, byV, result);
   } else if (global == ANYSL_P || global == ANYSL_Ps) {
     result[byV ? 1 : 0] = 1;
   } else if (global == (byV ? ANYSL_t : ANYSL_s)) {
@@ -271,6 +275,13 @@ void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
       valueAt(value, first + i, &values[i * components]);
     round(values);
     check(anysl_batch_bind_double(batch, name.c_str(), 0, count, values.data(), components));
+    std::vector<double> byU(components), byV(components);
+    slopeOf(value, false, byU.data());
+    slopeOf(value, true, byV.data());
+    round(byU);
+    round(byV);
+    check(anysl_batch_bind_derivatives_double(batch, name.c_str(), 0, count, byU.data(), byV.data(),
+                                              0));
   }
   if (recording)
     for (const RecordedShader::Values &value : recording->varying)

@@ -72,6 +72,7 @@ private:
   void round(std::vector<double> &values) const;
   void valueAt(const Override &value, size_t point, double *result) const;
   void globalAt(int global, size_t point, double *result) const;
+  static void slopeOf(const Override &value, bool byV, double *result);
   void slopeAt(int global, bool byV, double *result) const;
 
   GridOptions options;

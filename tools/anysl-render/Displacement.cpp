@@ -7,6 +7,7 @@
 
 #include "tools/anysl-render/Displacement.h"
 #include "tools/anysl-render/Footprint.h"
+#include "tools/anysl-render/MeshCorners.h"
 #include "tools/anysl-render/ParameterArrays.h"
 #include "tools/anysl-render/Pictures.h"
 
@@ -41,9 +42,9 @@ constexpr uint64_t moved = uint64_t(1) << ANYSL_P | uint64_t(1) << ANYSL_N;
 class Displacer {
 public:
   Displacer(const Scene &scene, const Shader &shader, std::span<const Binding> bound,
-            const Shape &shape, AnyslLayout layout, ShapeSurface &surface)
+            const Shape &shape, AnyslLayout layout, ShapeSurface &surface, const SurfaceSet &seen)
       : scene(scene), shader(shader), bound(bound), object(shape.objectToCamera), layout(layout),
-        surface(surface) {}
+        surface(surface), seen(seen) {}
 
   /// Where a point of the surface lies.
   struct Start {
@@ -89,7 +90,8 @@ private:
   std::span<const Binding> bound;
   Space object;
   AnyslLayout layout;
-  ShapeSurface &surface;
+  ShapeSurface &surface;               ///< gets the outputs
+  const SurfaceSet &seen;              ///< tells what is there
   std::vector<Shader::Output> outputs; ///< channel: number in surface.values.list
 };
 
@@ -140,7 +142,7 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count,
     const auto [hit, origin] = start(first + i);
     Ray ray;
     SurfacePoint point;
-    evaluateSurface(surface, hit, origin, ray.direction, shader.needed | moved, point);
+    evaluateSurface(seen, hit, origin, ray.direction, shader.needed | moved, point);
     if (!scene.description.camera.perspective)
       ray.origin = {float(point.frame.P.x), float(point.frame.P.y), 0};
     ray.direction = Vec3f(normalized(point.frame.P - Vec3d(ray.origin)));
@@ -151,9 +153,7 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count,
     auto store = [&](int component, double value) { at(component, i) = Real(value); };
     storeGlobals(wanted, point, ray, 0, store);
     storeUniformGlobals(wanted, scene, store);
-    parameters.set(i, bound, [&](uint32_t variable, float *value) {
-      surface.interpolate(surface.values.list[variable], hit, point, value);
-    });
+    parameters.set(i, bound, VariablesAt{seen, hit, point});
   }
   AnyslShadeArgs args;
   anysl_instance_fill_args(shader.instance.get(), &args);
@@ -310,14 +310,11 @@ void anysl::render::displace(const Scene &scene, const Shader &shader,
   const std::vector<uint32_t> placeOf = placesOfCorners(mesh);
   if (mesh.parameters.empty())
     keepParameters(placeOf, mesh);
-  Displacer displacer(scene, shader, bound, shape, layout, mesh);
+  const MeshCorners corners(mesh);
+  Displacer displacer(scene, shader, bound, shape, layout, mesh, corners);
   displacer.run(uint32_t(placeOf.size()), Domain::Corner, [&](uint32_t corner) {
     uint32_t place = placeOf[corner] == unused ? 0 : placeOf[corner]; // a corner of no facet
-    Displacer::Start start;
-    start.hit.primitive = place / 3;
-    start.hit.u = place % 3 == 1;
-    start.hit.v = place % 3 == 2;
-    return start;
+    return Displacer::Start{MeshCorners::hitOf(place), {}};
   });
   movePoints(displacer, placeOf, mesh);
   findTangents(mesh);
@@ -340,7 +337,7 @@ void anysl::render::displace(const Scene &scene, const Shader &shader,
                              std::span<const Binding> bound, const Shape &shape, AnyslLayout layout,
                              PointSet &points) {
   bool perspective = scene.description.camera.perspective;
-  Displacer displacer(scene, shader, bound, shape, layout, points);
+  Displacer displacer(scene, shader, bound, shape, layout, points, points);
   displacer.run(uint32_t(points.vertices.size()), Domain::Point, [&](uint32_t i) {
     Displacer::Start start;
     start.hit.primitive = i;

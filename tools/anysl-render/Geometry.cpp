@@ -287,9 +287,3 @@ void anysl::render::evaluateSurface(const SurfaceSet &set, const Hit &hit, Vec3f
   double magnitude = std::max({double(point.offset), maxAbs(point.frame.P), 1e-30});
   point.offset = float(magnitude * 0x1p-18);
 }
-
-void Geometry::variable(const Hit &hit, const SurfacePoint &point, uint32_t index,
-                        float *value) const {
-  const SurfaceSet &set = *sets[hit.geometry];
-  set.interpolate(set.variables(hit.primitive).list[index], hit, point, value);
-}

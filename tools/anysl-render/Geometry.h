@@ -100,8 +100,10 @@ public:
   const SurfaceVariables &variablesOf(const Hit &hit) const {
     return sets[hit.geometry]->variables(hit.primitive);
   }
-  /// The value of one of them at a hit that was evaluated.
-  void variable(const Hit &hit, const SurfacePoint &point, uint32_t index, float *value) const;
+  /// Their values at a hit that was evaluated; both must outlive the result.
+  VariablesAt variablesAt(const Hit &hit, const SurfacePoint &point) const {
+    return {*sets[hit.geometry], hit, point};
+  }
 
 private:
   void attach(std::unique_ptr<SurfaceSet> set, unsigned mask);

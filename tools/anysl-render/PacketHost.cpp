@@ -184,9 +184,7 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
     Hit hit = rays.hitOf(members.numbers[i]);
     geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
     if (values && !members.group.bound.empty())
-      values->set(
-          i, theScene.bindingsOf(geometry.shapeOf(hit)),
-          [&](uint32_t variable, float *value) { geometry.variable(hit, point, variable, value); });
+      values->set(i, theScene.bindingsOf(geometry.shapeOf(hit)), geometry.variablesAt(hit, point));
     if (needed & footprintBits)
       findFootprint(theScene.camera, members.depth == 0, ray, point);
     starts.set(i, point);

@@ -49,45 +49,67 @@ public:
       arrays[p] = arena.allocate<Real>(numbers * stride);
       for (uint32_t k = 0; k < numbers; ++k)
         for (size_t i = 0; i < stride; ++i)
-          at(p, components, k, i) = Real(args.params[param.first_cell + k].number);
+          at(arrays, p, components, k, i) = Real(args.params[param.first_cell + k].number);
     }
     uint32_t most = 0;
     for (const Binding &binding : bound) {
-      if (!arrays[binding.parameter])
-        arrays[binding.parameter] = arena.allocate<Real>(binding.numbers * stride);
-      std::fill_n(static_cast<Real *>(arrays[binding.parameter]), binding.numbers * stride,
-                  Real(0));
+      clear(arena, arrays, binding);
       most = std::max(most, binding.numbers);
+      if (isDifferentiated(binding))
+        for (void **&derivatives : slopes) {
+          if (!derivatives) {
+            derivatives = arena.allocate<void *>(shader.info->param_count);
+            std::fill_n(derivatives, shader.info->param_count, nullptr);
+          }
+          clear(arena, derivatives, binding);
+        }
     }
     scratch = arena.allocate<float>(most);
   }
 
   /// Sets the values of point i from the variables of the surface that was hit there.
-  template <typename Interpolate>
-  void set(size_t i, std::span<const Binding> itsBindings, const Interpolate &interpolate) {
+  void set(size_t i, std::span<const Binding> itsBindings, const VariablesAt &variables) {
     for (const Binding &binding : itsBindings) {
-      interpolate(binding.variable, scratch);
+      variables.value(binding.variable, scratch);
       uint32_t components = anysl_type_components(shader.info->params[binding.parameter].type);
       for (uint32_t k = 0; k < binding.numbers; ++k)
-        at(binding.parameter, components, k, i) = Real(scratch[k]);
+        at(arrays, binding.parameter, components, k, i) = Real(scratch[k]);
+      for (uint32_t k = 0; k < binding.numbers && isDifferentiated(binding); ++k) {
+        double byU, byV;
+        variables.slope(binding.variable, k, byU, byV);
+        at(slopes[0], binding.parameter, components, k, i) = Real(byU);
+        at(slopes[1], binding.parameter, components, k, i) = Real(byV);
+      }
     }
   }
 
   /// The number k of an output at point i.
   Real output(const Shader::Output &output, uint32_t k, size_t i) const {
-    return at(output.param, anysl_type_components(shader.info->params[output.param].type), k, i);
+    return at(arrays, output.param, anysl_type_components(shader.info->params[output.param].type),
+              k, i);
   }
 
   void fill(AnyslShadeArgs &args) const {
     if (!arrays)
       return;
     args.param_data = arrays;
+    args.param_by_u = slopes[0];
+    args.param_by_v = slopes[1];
     args.data_stride = stride;
   }
 
 private:
-  Real &at(uint32_t parameter, uint32_t components, uint32_t k, size_t i) const {
-    auto *numbers = static_cast<Real *>(arrays[parameter]);
+  bool isDifferentiated(const Binding &binding) const {
+    return (shader.info->params[binding.parameter].flags & ANYSL_PARAM_DIFFERENTIATED) != 0;
+  }
+  /// Zeros for the points that have another surface's variables.
+  void clear(Arena &arena, void **all, const Binding &binding) {
+    if (!all[binding.parameter])
+      all[binding.parameter] = arena.allocate<Real>(binding.numbers * stride);
+    std::fill_n(static_cast<Real *>(all[binding.parameter]), binding.numbers * stride, Real(0));
+  }
+  Real &at(void *const *all, uint32_t parameter, uint32_t components, uint32_t k, size_t i) const {
+    auto *numbers = static_cast<Real *>(all[parameter]);
     if (layout == ANYSL_LAYOUT_SOA)
       return numbers[k * stride + i];
     return numbers[(k / components * stride + i) * components + k % components];
@@ -98,6 +120,7 @@ private:
   AnyslLayout layout;
   size_t stride;
   void **arrays = nullptr; ///< of Real; of text, which is of one component, const char *
+  void **slopes[2] = {};   ///< how the numbers change with u, with v; null: nobody reads that
   float *scratch = nullptr;
 };
 

@@ -77,7 +77,7 @@ int answerVariable(const Scene &scene, const Hit &hit, const Ray *ray, std::stri
     geometry.evaluate(hit, ray->origin, ray->direction,
                       uint64_t(1) << ANYSL_u | uint64_t(1) << ANYSL_v, point);
   std::vector<float> numbers(found->components);
-  geometry.variable(hit, point, uint32_t(found - list.begin()), numbers.data());
+  geometry.variablesAt(hit, point).value(uint32_t(found - list.begin()), numbers.data());
   std::vector<AnyslCell> cells(found->components);
   for (size_t i = 0; i < cells.size(); ++i)
     cells[i].number = double(numbers[i]);

@@ -178,9 +178,7 @@ void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &po
                    (volume && volume->asksByName()) || asked, ANYSL_LAYOUT_AOS, 16);
     if (!batch.group->bound.empty())
       values->set(0, theScene.bindingsOf(theScene.geometry().shapeOf(hit)),
-                  [&](uint32_t variable, float *value) {
-                    theScene.geometry().variable(hit, point, variable, value);
-                  });
+                  theScene.geometry().variablesAt(hit, point));
     surface = run(*shader, *batch.group, batch, globals, &*values);
   } else {
     Vec3f Ci = defaultSurface(point, ray.direction);

@@ -99,6 +99,27 @@ public:
                              const SurfacePoint &point, double &byU, double &byV) const = 0;
 };
 
+/// The variables of a surface at a point that evaluate() has found.
+struct VariablesAt {
+  const SurfaceSet &set;
+  const Hit &hit;
+  const SurfacePoint &point;
+
+  void value(uint32_t variable, float *result) const {
+    set.interpolate(at(variable), hit, point, result);
+  }
+  /// The derivatives of one component.
+  void slope(uint32_t variable, uint32_t component, double &byU, double &byV) const {
+    byU = byV = 0;
+    set.differentiate(at(variable), component, hit, point, byU, byV);
+  }
+
+private:
+  const Variable &at(uint32_t variable) const {
+    return set.variables(hit.primitive).list[variable];
+  }
+};
+
 /// All of one shape.
 class ShapeSurface : public SurfaceSet {
 public:

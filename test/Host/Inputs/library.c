@@ -62,7 +62,7 @@ static const AnyslParamInfo params[] = {
     {"gain", ANYSL_FLOAT, ANYSL_PARAM_VARYING, 0, 8},
     {"doubled", ANYSL_COLOR, ANYSL_PARAM_VARYING | ANYSL_PARAM_OUTPUT, 0, 9},
     {"m", ANYSL_MATRIX, 0, 0, 12},
-    {"steps", ANYSL_FLOAT, ANYSL_PARAM_VARYING, 2, 28},
+    {"steps", ANYSL_FLOAT, ANYSL_PARAM_VARYING | ANYSL_PARAM_DIFFERENTIATED, 2, 28},
     {"fixed", ANYSL_FLOAT, ANYSL_PARAM_FIXED, 0, 30},
 };
 

@@ -162,6 +162,51 @@ TEST_CASE("varying parameters come point by point", "[host]") {
   }
 }
 
+TEST_CASE("derivatives of varying parameters lie as their values do", "[host]") {
+  for (std::string name : everyLayout) {
+    INFO(name);
+    Library library = open(name);
+    Instance instance = instantiate(library.get());
+    Batch batch = batchFor(instance.get(), 19);
+    const AnyslShadeArgs *args = anysl_batch_args(batch.get());
+    const AnyslShaderInfo *shader = anysl_instance_shader(instance.get());
+    const auto steps = uint32_t(anysl_shader_param(shader, "steps") - shader->params);
+    const auto gain = uint32_t(anysl_shader_param(shader, "gain") - shader->params);
+    std::vector<double> byU(38), byV(38);
+    for (int i = 0; i < 38; ++i)
+      byU[i] = i, byV[i] = -2 * i;
+    auto bind = [&](const char *param) {
+      return anysl_batch_bind_derivatives_double(batch.get(), param, 0, 19, byU.data(), byV.data(),
+                                                 2);
+    };
+    CHECK(bind("steps") == ANYSL_ERROR_STATE); // it has no values yet
+    float zero[2] = {};
+    for (const char *param : {"gain", "steps"})
+      REQUIRE(anysl_batch_bind_float(batch.get(), param, 0, 19, zero, 0) == ANYSL_OK);
+    REQUIRE(bind("gain") == ANYSL_OK); // nobody reads those
+    CHECK(args->param_by_u == nullptr);
+    REQUIRE(bind("steps") == ANYSL_OK);
+    CHECK(args->param_by_u[gain] == nullptr);
+    auto at = [&](void *const *arrays, uint32_t element, uint32_t point) {
+      // Of one component, both layouts are alike.
+      size_t index = element * args->data_stride + point;
+      return anysl_library_info(library.get())->real == ANYSL_REAL_DOUBLE
+                 ? static_cast<const double *>(arrays[steps])[index]
+                 : double(static_cast<const float *>(arrays[steps])[index]);
+    };
+    for (uint32_t i = 0; i < 38; ++i) {
+      CHECK(at(args->param_by_u, i % 2, i / 2) == byU[i]);
+      CHECK(at(args->param_by_v, i % 2, i / 2) == byV[i]);
+    }
+    REQUIRE(anysl_batch_unbind(batch.get(), "steps") == ANYSL_OK);
+    CHECK(args->param_by_u[steps] == nullptr);
+    CHECK(args->param_by_v[steps] == nullptr);
+    CHECK(bind("tent") == ANYSL_ERROR_NAME);
+    CHECK(anysl_batch_bind_derivatives_float(batch.get(), "steps", 18, 2, zero, zero, 0) ==
+          ANYSL_ERROR_RANGE);
+  }
+}
+
 TEST_CASE("mistakes with batches are refused", "[host]") {
   Library library = open("soa-float");
   Instance instance = instantiate(library.get());

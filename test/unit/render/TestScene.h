@@ -56,7 +56,7 @@ struct TestScene {
     for (uint32_t i = 0; i < list.size(); ++i)
       if (list[i].name == name) {
         result.resize(list[i].components);
-        geometry->variable(hit, *point, i, result.data());
+        geometry->variablesAt(hit, *point).value(i, result.data());
       }
     return result;
   }
