@@ -52,10 +52,12 @@ bool unmaskGathers(Function &function, const TargetTransformInfo &target) {
     call->setArgOperand(isLoad ? 2 : 3, Constant::getAllOnesValue(mask->getType()));
     // What is known of the memory that the active lanes access does not hold for the idle ones'.
     call->dropUnknownNonDebugMetadata();
-    if (!isLoad || isa<UndefValue>(call->getArgOperand(3)))
+    if (!isLoad)
       continue;
     Value *otherwise = call->getArgOperand(3);
     call->setArgOperand(3, PoisonValue::get(call->getType()));
+    if (isa<UndefValue>(otherwise) || isa<ConstantAggregateZero>(otherwise))
+      continue; // the place that idle lanes read holds 0
     builder.SetInsertPoint(call->getNextNode());
     auto *chosen = cast<Instruction>(builder.CreateSelect(mask, call, otherwise));
     call->replaceUsesWithIf(chosen, [&](Use &use) { return use.getUser() != chosen; });

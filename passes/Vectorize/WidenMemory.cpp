@@ -78,7 +78,10 @@ Value *Widener::load(Type *type, const Address &address, Align align, Instructio
   if (type->isIntegerTy() && type->getIntegerBitWidth() < 8)
     return builder.CreateTrunc(load(builder.getInt8Ty(), address, align, origin), wide(type));
 
+  // Idle lanes read 0, as the processors' masked loads have it: what happened to be in a register
+  // might be infinite, and raise a flag that no active lane raises.
   Type *lanes = wide(type);
+  Value *nothing = Constant::getNullValue(lanes);
   int64_t size = layout.getTypeStoreSize(type).getFixedValue();
   Value *mask = currentMask();
   if (address.shape.isStrided() && std::abs(address.shape.stride()) == size) {
@@ -93,16 +96,15 @@ Value *Widener::load(Type *type, const Address &address, Align align, Instructio
       if (!isFull())
         mask = builder.CreateShuffleVector(mask, reversed);
     }
-    Instruction *loaded =
-        isFull() ? (Instruction *)builder.CreateAlignedLoad(lanes, first, align)
-                 : builder.CreateMaskedLoad(lanes, first, align, mask, PoisonValue::get(lanes));
+    Instruction *loaded = isFull() ? (Instruction *)builder.CreateAlignedLoad(lanes, first, align)
+                                   : builder.CreateMaskedLoad(lanes, first, align, mask, nothing);
     loaded->copyMetadata(
         origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
     return backwards ? builder.CreateShuffleVector(loaded, reversed) : loaded;
   }
   remark(VectorizeRemark::Kind::Gather, origin, "loads from an unrelated address in each lane");
-  CallInst *gathered = builder.CreateMaskedGather(lanes, lanePointers(address), align, mask,
-                                                  PoisonValue::get(lanes));
+  CallInst *gathered =
+      builder.CreateMaskedGather(lanes, lanePointers(address), align, mask, nothing);
   gathered->copyMetadata(
       origin, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
   return gathered;

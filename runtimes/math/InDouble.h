@@ -327,12 +327,17 @@ ANYSL_TIER double log2ForPower(double x, const double (&polynomial)[N]) {
   return mulAdd<F>(p, 2 * Log2E, d.exponent);
 }
 
-/// Any x^y: with an exponent of −inf for 0, inf for inf, NaN for NaN.
+/// Stands for the infinite logarithms of 0 and infinity: times the least y it is still out of any
+/// power's range, and times 0 it raises nothing in a lane that idles.
+inline constexpr double EndlessLog2 = 0x1p+1000;
+
+/// Any x^y.
 ANYSL_TIER float powAny(float x, float y) {
   double a = magnitude(x);
   double l = log2ForPower<Fusion::Never>(a, AtanhPow);
-  l = a == 0 ? -Infinity<double> : l;
-  l = a < Infinity<double> ? l : a;
+  l = a == 0 ? -EndlessLog2 : l;
+  l = a == Infinity<double> ? EndlessLog2 : l;
+  l = a != a ? a : l;
   double e = clampKeepNaN(l * double(y), -160.0, 140.0);
   double t = e + RoundShift;
   return powSpecial(x, y, float(expReduced<ShortPolynomials>({e - (t - RoundShift), bitsOf(t)})));

@@ -21,7 +21,6 @@ stay. *Obvious code* is measured: a few lines of plain float C++ (`test/hard-cas
 and judged by the same closed forms in long double (`Judges.h`). *AnySL* is the worst result of the shader in `float` at tier `u10`; "wrong" counts results that are wrong in kind: NaN, the wrong side, outside the
 range. The threshold holds for `float`, `double` and both with derivatives, in every math tier, at widths 1, 4, 8 and 16, in every lane, while the other lanes idle with NaN,
 infinity, 0, -2³¹ and 1e30 for inputs. Where a line says *no trap*, neither an invalid operation nor a division by zero is raised, also not in idle lanes with finite inputs, in any tier but `fast`. All buffers end at guard pages, and MXCSR is the same before and after each call.
-Two exceptions are known, both traps only, found by `scripts/test-hard-cases` on all combinations (26 November 2026): the slopes of `pow` at (0, 0) in `dual` with tier `u35` at width 4, and slopes of `pow`, `atan` and kinks in `dualdouble` with tier `cr` on `x86-64-v2`.
 
 Thresholds in units in the last place are those of the format. Of the others, those near a float's precision are as many such units in double. Where the right answer depends on an elementary function, the
 threshold is that of the tier `fast`, 2⁻¹².

@@ -1,4 +1,4 @@
-// What loads and stores become: plain, masked, reversed, one for all lanes, gathers and scatters.
+// What loads and stores become: plain, masked (idle lanes read 0), reversed, one for all lanes, gathers and scatters.
 // RUN: clang -O1 -fopenmp-simd -fno-math-errno -S -emit-llvm %s -o - | opt -load-pass-plugin=%plugin -passes='anysl-vectorize<width=8>' -S -o %t.ll
 // RUN: FileCheck %s < %t.ll
 
@@ -22,7 +22,7 @@ void conditional(float *a, const float *b, int i) {
 }
 
 // CHECK-LABEL: define {{.*}} @_ZGVdM8uul_consecutive_masked(
-// CHECK: call <8 x float> @llvm.masked.load
+// CHECK: call <8 x float> @llvm.masked.load.v8f32.p0({{.*}}, <8 x float> zeroinitializer)
 // CHECK: call void @llvm.masked.store
 #pragma omp declare simd uniform(a, b) linear(i) inbranch
 void consecutive_masked(float *a, const float *b, int i) { a[i] = b[i]; }
