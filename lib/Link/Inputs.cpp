@@ -163,6 +163,15 @@ static bool adaptPrecision(Session &session, Module &real) {
   return true;
 }
 
+/// Lets the rays of a runtime carry derivatives if the options say so.
+static void adaptRays(const Session &session, Module &runtime) {
+  auto *carry = runtime.getNamedGlobal("anysl_rays_carry_derivatives");
+  if (!carry)
+    return;
+  carry->setInitializer(ConstantInt::get(carry->getValueType(), session.options.rayDerivatives));
+  carry->setLinkage(GlobalValue::ExternalLinkage);
+}
+
 static bool openTiers(Session &session) {
   std::vector<std::string> tiers = session.math.tiers();
   for (const std::string &tier : tiers) {
@@ -220,13 +229,16 @@ bool openLayers(Session &session) {
                         session.real + "'");
     return false;
   }
-  return openLayer(session, "the shading library", folder + "/" + shadelibName) &&
-         openLayer(session, "real '" + session.real + "'",
-                   folder + "/real/" + session.real + ".bc") &&
-         adaptToReal(session, *session.layers.back().module) && openPlainOperators(session) &&
-         openLayer(session, "runtime '" + options.runtime + "'",
-                   folder + "/runtime/" + options.runtime + "." + session.real + ".bc") &&
-         openTiers(session);
+  bool areOpen =
+      openLayer(session, "the shading library", folder + "/" + shadelibName) &&
+      openLayer(session, "real '" + session.real + "'", folder + "/real/" + session.real + ".bc") &&
+      adaptToReal(session, *session.layers.back().module) && openPlainOperators(session) &&
+      openLayer(session, "runtime '" + options.runtime + "'",
+                folder + "/runtime/" + options.runtime + "." + session.real + ".bc");
+  if (!areOpen)
+    return false;
+  adaptRays(session, *session.layers.back().module);
+  return openTiers(session);
 }
 
 bool readInputs(Session &session, ArrayRef<std::string> files) {

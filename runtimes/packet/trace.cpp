@@ -199,17 +199,15 @@ WIDE_FORMS(16, uint16_t)
 void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_point *P,
                        const anysl_vector *R) {
   float r, g, b;
-  if constexpr (hasDerivatives<anysl_float>) {
-    float px = numberOf(P->x), py = numberOf(P->y), pz = numberOf(P->z);
-    float rx = numberOf(R->x), ry = numberOf(R->y), rz = numberOf(R->z);
-    withRayChange(context, *P, *R, [&](auto... change) {
-      packet_trace_change(context->args, context->point, &px, &py, &pz, &rx, &ry, &rz, change...,
-                          &r, &g, &b);
-    });
-  } else {
-    packet_trace(context->args, context->point, numberOf(P->x), numberOf(P->y), numberOf(P->z),
-                 numberOf(R->x), numberOf(R->y), numberOf(R->z), &r, &g, &b);
-  }
+  float px = numberOf(P->x), py = numberOf(P->y), pz = numberOf(P->z);
+  float rx = numberOf(R->x), ry = numberOf(R->y), rz = numberOf(R->z);
+  withKnownChange(context, *P, *R, [&](auto... change) {
+    if constexpr (sizeof...(change) > 0)
+      if (raysCarryDerivatives())
+        return packet_trace_change(context->args, context->point, &px, &py, &pz, &rx, &ry, &rz,
+                                   change..., &r, &g, &b);
+    packet_trace(context->args, context->point, px, py, pz, rx, ry, rz, &r, &g, &b);
+  });
   *result = {r, g, b};
 }
 

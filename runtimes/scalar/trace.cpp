@@ -74,7 +74,7 @@ void anysl_trace_color(anysl_color *result, anysl_context *context, const anysl_
     copyRayChange(context, *P, *R, change);
   scalarTrace(context->args, context->point, numberOf(P->x), numberOf(P->y), numberOf(P->z),
               numberOf(R->x), numberOf(R->y), numberOf(R->z),
-              hasDerivatives<anysl_float> ? change : nullptr, &r, &g, &b);
+              raysCarryDerivatives() ? change : nullptr, &r, &g, &b);
   *result = {r, g, b};
 }
 

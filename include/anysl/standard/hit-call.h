@@ -67,7 +67,7 @@ inline void askForHits(ANYSL_HIT_BARE_PARAMETERS, const AnyslRayDerivatives *cha
 inline void askForHits(ANYSL_HIT_PARAMETERS, uint32_t width, uint32_t mask) {
 #ifdef ANYSL_REAL_HAS_DERIVATIVES
   AnyslRayDerivatives derivatives = rayDerivatives(ANYSL_CHANGE_ARGUMENTS);
-  const AnyslRayDerivatives *change = &derivatives;
+  const AnyslRayDerivatives *change = anysl_rays_carry_derivatives ? &derivatives : nullptr;
 #else
   const AnyslRayDerivatives *change = nullptr;
 #endif

@@ -76,7 +76,7 @@ namespace anysl {
     AnyslRayDerivatives derivatives = rayDerivatives(change);
     askForHits(args, point, 1, &px, &py, &pz, &rx, &ry, &rz, &reach, r, r + 1, r + 2, r + 3, r + 4,
                r + 5, r + 6, r + 7, r + 8, r + 9, r + 10, r + 11, r + 12,
-               hasDerivatives<anysl_float> ? &derivatives : nullptr, 1, 1, &message);
+               raysCarryDerivatives() ? &derivatives : nullptr, 1, 1, &message);
     takeBack(message, numbers, texts);
   });
 }

@@ -24,6 +24,10 @@
 #define ANYSL_CHANGE_ARGUMENTS pxu, pyu, pzu, pxv, pyv, pzv, rxu, ryu, rzu, rxv, ryv, rzv, du, dv
 #define ANYSL_CHANGE_LETTERS "l4l4l4l4l4l4l4l4l4l4l4l4l4l4"
 
+/// Whether rays that shaders trace carry derivatives, where numbers do: as `--ray-derivatives` has
+/// it. Where they do not, nothing that leads to a ray alone has any.
+extern "C" __attribute__((weak)) const bool anysl_rays_carry_derivatives = false;
+
 namespace anysl {
 
 inline AnyslRayDerivatives rayDerivatives(ANYSL_CHANGE_PARAMETERS) {
@@ -36,19 +40,29 @@ inline AnyslRayDerivatives rayDerivatives(ANYSL_CHANGE_PARAMETERS) {
           dv};
 }
 
-/// Calls use(ANYSL_CHANGE_ARGUMENTS). Each number gets an address of its own.
+inline bool raysCarryDerivatives() {
+  return hasDerivatives<anysl_float> && anysl_rays_carry_derivatives;
+}
+
+/// Calls use(ANYSL_CHANGE_ARGUMENTS). Each number gets an address of its own; where rays carry
+/// no derivatives, all are 0.
 template <typename Use>
 inline auto withRayChange(const anysl_context *context, const anysl_point &P, const anysl_vector &R,
                           const Use &use) {
-  float pxu = float(derivativeU(P.x)), pyu = float(derivativeU(P.y)), pzu = float(derivativeU(P.z));
-  float pxv = float(derivativeV(P.x)), pyv = float(derivativeV(P.y)), pzv = float(derivativeV(P.z));
-  float rxu = float(derivativeU(R.x)), ryu = float(derivativeU(R.y)), rzu = float(derivativeU(R.z));
-  float rxv = float(derivativeV(R.x)), ryv = float(derivativeV(R.y)), rzv = float(derivativeV(R.z));
-  float du = float(stepOfU(context)), dv = float(stepOfV(context));
+  auto carried = [](const auto &x) { return anysl_rays_carry_derivatives ? float(x) : 0.0f; };
+  float pxu = carried(derivativeU(P.x)), pyu = carried(derivativeU(P.y)),
+        pzu = carried(derivativeU(P.z));
+  float pxv = carried(derivativeV(P.x)), pyv = carried(derivativeV(P.y)),
+        pzv = carried(derivativeV(P.z));
+  float rxu = carried(derivativeU(R.x)), ryu = carried(derivativeU(R.y)),
+        rzu = carried(derivativeU(R.z));
+  float rxv = carried(derivativeV(R.x)), ryv = carried(derivativeV(R.y)),
+        rzv = carried(derivativeV(R.z));
+  float du = carried(stepOfU(context)), dv = carried(stepOfV(context));
   return use(&pxu, &pyu, &pzu, &pxv, &pyv, &pzv, &rxu, &ryu, &rzu, &rxv, &ryv, &rzv, &du, &dv);
 }
 
-/// The same where numbers carry derivatives, else use().
+/// The same where numbers carry derivatives, else use(): what a function's parameters are.
 template <typename Use>
 inline void withKnownChange(const anysl_context *context, const anysl_point &P,
                             const anysl_vector &R, const Use &use) {
