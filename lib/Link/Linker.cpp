@@ -87,6 +87,8 @@ bool runStages(Session &session, ArrayRef<std::string> files) {
       run(session, "specialize", specializeParams) &&
       // While what a scene does without is a call with a name and a place.
       run(session, "prune", prune) &&
+      // While what a shader stores is an operator; it decides which real is linked.
+      run(session, "tangents", giveTangents) &&
       // Reads the bodies that the shaders reach and no others, which keeps linking fast however
       // much the libraries grow.
       run(session, "link", linkModules) &&

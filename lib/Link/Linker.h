@@ -53,6 +53,9 @@ struct LinkOptions {
   unsigned maxLoop = 0;
   /// Let traced rays carry their derivatives, for which the real has to.
   bool rayDerivatives = false;
+  /// Let displacement shaders store dPdu and dPdv with P, for which the real has to carry
+  /// derivatives. Those that move it by what a renderer answers leave it, since that carries none.
+  bool tangents = false;
   /// Note what every operator does, for one point at a time (<anysl/notes.h>).
   bool traceOps = false;
   /// An operator of Neutral.def that nobody defines is an error, not its neutral value.

@@ -88,6 +88,10 @@ cl::opt<bool> rayDerivatives("ray-derivatives",
                              cl::desc("Let traced rays carry how they change from point to point, "
                                       "as they do in shaders that ask for derivatives"),
                              cl::cat(category));
+cl::opt<bool> tangents("tangents",
+                       cl::desc("Let displacement shaders say how P changes from point to point "
+                                "where they have moved it (dPdu and dPdv)"),
+                       cl::cat(category));
 cl::opt<bool> checkNaN("check-nan", cl::desc("Let the host know where a number stops being finite"),
                        cl::cat(category));
 cl::opt<double> maxError("max-error",
@@ -188,6 +192,7 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.maxLoop = maxLoop;
   options.plainOperators = plainOperators;
   options.rayDerivatives = rayDerivatives;
+  options.tangents = tangents;
   options.params.assign(params.begin(), params.end());
   if (!parseWidths(diags, options.widths))
     return false;

@@ -56,9 +56,12 @@ public:
   void run(uint32_t count, Domain domain, const std::function<Start(uint32_t)> &start);
 
   std::vector<Vec3d> places, normals;       ///< as the shader leaves them
+  std::vector<Vec3d> dPdu, dPdv;            ///< where givesTangents()
   std::vector<Vec3d> oldPlaces, oldNormals; ///< before that
 
   bool setsNormals() const { return (shader.info->globals_written >> ANYSL_N & 1) != 0; }
+  /// Whether the shader says how P changes (anysl-link --tangents).
+  bool givesTangents() const { return (shader.info->globals_written >> ANYSL_dPdu & 1) != 0; }
   /// A place that is none, or further off than Embree can go, is not gone to.
   Vec3d newPlace(uint32_t i) const {
     return isFinite(places[i]) && maxAbs(places[i]) < 1e18 ? places[i] : oldPlaces[i];
@@ -69,9 +72,11 @@ public:
     return setsNormals() && isFinite(result) && result != Vec3d() ? result : oldNormals[i];
   }
 
-  /// Whether the shader finds the normals of what it moves, as calculatenormal() does: effect
-  /// number 20 of lib/STC/Effects.def.
-  bool findsNormals() const { return setsNormals() && (shader.info->effects >> 20 & 1) != 0; }
+  /// Whether the shader finds the normals of what it moves, as calculatenormal() does, and may not
+  /// know how that changes: effect number 20 of lib/STC/Effects.def.
+  bool findsNormals() const {
+    return setsNormals() && (shader.info->effects >> 20 & 1) != 0 && !givesTangents();
+  }
   bool isTurned(uint32_t i) const {
     return dot(newNormal(i), normalized(oldNormals[i])) < 1 - 1e-6;
   }
@@ -174,11 +179,15 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count,
     for (int k = 0; k < 3; ++k) {
       places[first + i][k] = at(ANYSL_COMPONENT_P + k, i);
       normals[first + i][k] = at(ANYSL_COMPONENT_N + k, i);
+      if (givesTangents()) {
+        dPdu[first + i][k] = at(ANYSL_COMPONENT_dPdu + k, i);
+        dPdv[first + i][k] = at(ANYSL_COMPONENT_dPdv + k, i);
+      }
     }
 }
 
 void Displacer::run(uint32_t count, Domain domain, const std::function<Start(uint32_t)> &start) {
-  for (std::vector<Vec3d> *list : {&places, &normals, &oldPlaces, &oldNormals})
+  for (std::vector<Vec3d> *list : {&places, &normals, &dPdu, &dPdv, &oldPlaces, &oldNormals})
     list->resize(count);
   prepareOutputs(domain);
   constexpr uint32_t chunk = 1024;
@@ -318,6 +327,11 @@ void anysl::render::displace(const Scene &scene, const Shader &shader,
   });
   movePoints(displacer, placeOf, mesh);
   findTangents(mesh);
+  for (uint32_t corner = 0; corner < placeOf.size() && displacer.givesTangents(); ++corner)
+    if (isFinite(displacer.dPdu[corner]) && isFinite(displacer.dPdv[corner])) {
+      mesh.dPdu[corner] = Vec3f(displacer.dPdu[corner]);
+      mesh.dPdv[corner] = Vec3f(displacer.dPdv[corner]);
+    }
   mesh.normals.name = "N";
   mesh.normals.type = ValueType::Normal;
   mesh.normals.domain = Domain::Corner;

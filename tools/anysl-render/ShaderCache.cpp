@@ -169,7 +169,7 @@ std::vector<fs::path> ShaderCache::sources() const {
 }
 
 fs::path ShaderCache::library(const std::string &name, const Location &where,
-                              bool rayDerivatives) const {
+                              ShaderExtras extras) const {
   std::optional<fs::path> found = find(name);
   if (!found) {
     std::string searched;
@@ -196,8 +196,8 @@ fs::path ShaderCache::library(const std::string &name, const Location &where,
     return source;
   for (const std::string &word : {toolKey(), target.runtime, target.real, target.math})
     hash.add(word);
-  for (unsigned number :
-       {target.width, unsigned(target.checkNaN), target.maxLoop, unsigned(rayDerivatives)})
+  for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop,
+                          unsigned(extras.rayDerivatives), unsigned(extras.tangents)})
     hash.addNumber(number);
   std::string stem = source.filename().string();
   stem = stem.substr(0, stem.find('.'));
@@ -250,8 +250,10 @@ fs::path ShaderCache::library(const std::string &name, const Location &where,
     link.insert(link.end(), {"--math", target.math});
   if (target.checkNaN)
     link.push_back("--check-nan");
-  if (rayDerivatives)
+  if (extras.rayDerivatives)
     link.push_back("--ray-derivatives");
+  if (extras.tangents)
+    link.push_back("--tangents");
   if (target.maxLoop)
     link.insert(link.end(), {"--max-loop", std::to_string(target.maxLoop)});
   step(std::move(link));

@@ -27,6 +27,12 @@ struct ShaderTarget {
   unsigned maxLoop = 0;  ///< rounds after which loops are left; 0: no limit
 };
 
+/// What a shader is asked to compute besides its results.
+struct ShaderExtras {
+  bool rayDerivatives = false; ///< the rays that it traces carry theirs
+  bool tangents = false;       ///< a displacement shader says how P changes
+};
+
 /// Finds a shader's file by its name and makes a shader library of it. NAME.so is taken as it is;
 /// NAME.stc.bc is linked, NAME.sl compiled and linked, by the programs that lie beside this one,
 /// unless the cache folder has the result of the same inputs: source with all it includes, target,
@@ -44,9 +50,8 @@ public:
 
   /// The shader's library. Throws UserError, naming the place that asks for the shader, if there is
   /// none or it does not compile. Several threads may call this for different shaders.
-  /// `rayDerivatives`: the rays that it traces carry theirs.
   std::filesystem::path library(const std::string &name, const Location &where,
-                                bool rayDerivatives = false) const;
+                                ShaderExtras extras = {}) const;
 
   /// A shader's file, if there is one.
   std::optional<std::filesystem::path> find(const std::string &name) const;

@@ -121,11 +121,13 @@ bool traces(const AnyslLibraryInfo &library) {
 } // namespace
 
 void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
-  std::map<std::string, const Location *> names;
+  std::map<std::string, Wanted> names;
   for (const ShaderUse *use : uses)
-    if (!libraries.contains(use->name))
-      names.emplace(use->name, &use->where);
-  openAll(names, false);
+    if (!libraries.contains(use->name)) {
+      Wanted &wanted = names.emplace(use->name, Wanted{&use->where, {}}).first->second;
+      wanted.extras.tangents |= use->kind == ShaderKind::Displacement;
+    }
+  openAll(names);
   // What is seen in mirrors is filtered as wide as the rays there say, which has its price.
   bool filtered = std::any_of(libraries.begin(), libraries.end(), [](const auto &library) {
     return wantsFootprints(*anysl_library_info(library.second.get()));
@@ -135,27 +137,29 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
     return !filtered || opened == libraries.end() ||
            !traces(*anysl_library_info(opened->second.get()));
   });
-  openAll(names, true);
+  for (auto &[name, wanted] : names)
+    wanted.extras.rayDerivatives = true;
+  openAll(names);
   for (const auto &[name, library] : libraries)
     if (logged.insert(name).second)
       if (AnyslNoteLog *log = anysl_note_log_create(library.get()))
         notes.emplace_back(log);
 }
 
-void ShaderLoader::openAll(const std::map<std::string, const Location *> &names,
-                           bool rayDerivatives) {
+void ShaderLoader::openAll(const std::map<std::string, Wanted> &names) {
   struct Job {
     std::string name;
     const Location *where;
+    ShaderExtras extras;
     std::filesystem::path library;
     std::exception_ptr error;
   };
   std::vector<Job> jobs;
-  for (auto [name, where] : names)
-    jobs.push_back({name, where, {}, nullptr});
+  for (const auto &[name, wanted] : names)
+    jobs.push_back({name, wanted.where, wanted.extras, {}, nullptr});
   tbb::parallel_for(size_t(0), jobs.size(), [&](size_t i) {
     try {
-      jobs[i].library = cache.library(jobs[i].name, *jobs[i].where, rayDerivatives);
+      jobs[i].library = cache.library(jobs[i].name, *jobs[i].where, jobs[i].extras);
     } catch (...) {
       jobs[i].error = std::current_exception();
     }

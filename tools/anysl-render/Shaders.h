@@ -88,7 +88,11 @@ private:
   struct Close {
     void operator()(AnyslLibrary *library) const { anysl_library_close(library); }
   };
-  void openAll(const std::map<std::string, const Location *> &names, bool rayDerivatives);
+  struct Wanted {
+    const Location *where;
+    ShaderExtras extras;
+  };
+  void openAll(const std::map<std::string, Wanted> &names);
   void setParameters(Shader &shader);
 
   const Scene &scene;
