@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 /** Changes when any structure below does; a library of another version is refused. */
-#define ANYSL_ABI_VERSION 4
+#define ANYSL_ABI_VERSION 5
 /** The first field of AnyslLibraryInfo: "AnSL" read as a little-endian number. */
 #define ANYSL_MAGIC 0x4c536e41u
 /** The one symbol that a shader library exports, an AnyslLibraryInfo. */
@@ -362,13 +362,13 @@ typedef struct AnyslServices {
  * outputs. */
 typedef struct AnyslShadeArgs {
   uint32_t struct_size;
-  uint32_t count;    /**< points in the arrays; they are readable and writable up to a
-                          multiple of 16 points */
-  AnyslCell *params; /**< AnyslShaderInfo::cell_count cells */
-  const uint8_t
-      *param_is_set;       /**< one byte a parameter: bit ANYSL_PARAM_GIVEN, that the host has
-                                given it, where defaults are computed; ANYSL_PARAM_ONLY_OUT, that
-                                its array in param_data is for results alone, where shading */
+  uint32_t count;              /**< points in the arrays; they are readable and writable up to a
+                                    multiple of 16 points */
+  AnyslCell *params;           /**< AnyslShaderInfo::cell_count cells */
+  const uint8_t *param_is_set; /**< one byte a parameter: bit ANYSL_PARAM_GIVEN, that the host has
+                                    given it, where defaults are computed; ANYSL_PARAM_ONLY_OUT,
+                                  that its array in param_data is for results alone, where shading;
+                                    ANYSL_PARAM_HALF, that its array there holds halves */
   void *const *param_data; /**< one pointer a parameter, or null: its values point by point; null
                                 pointer where it has none. Component c of array element e at
                                 point p of a type with n components is at
@@ -398,7 +398,12 @@ typedef struct AnyslShadeArgs {
 } AnyslShadeArgs;
 
 /** In AnyslShadeArgs::param_is_set */
-enum { ANYSL_PARAM_GIVEN = 1, ANYSL_PARAM_ONLY_OUT = 2 };
+enum {
+  ANYSL_PARAM_GIVEN = 1,
+  ANYSL_PARAM_ONLY_OUT = 2,
+  ANYSL_PARAM_HALF = 4 /**< 16-bit floating-point numbers (IEEE 754 binary16), for libraries with
+                            AnyslLibraryInfo::reads_half; never of an output parameter */
+};
 
 /** Shades points [first, last). Thread safe as long as batches differ. */
 typedef void (*AnyslShadeFunction)(const AnyslShadeArgs *args, uint32_t first, uint32_t last);
@@ -458,6 +463,8 @@ typedef struct AnyslLibraryInfo {
   const char *math;         /**< "u10" */
   const char *target_cpu;   /**< as LLVM names it */
   const char *cpu_features; /**< what the code needs, comma-separated x86 names: "avx2,fma" */
+  uint32_t reads_half;      /**< whether it looks for ANYSL_PARAM_HALF */
+  uint32_t reserved;
 } AnyslLibraryInfo;
 
 #ifdef __cplusplus

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 /** Grows by one whenever this header gains a function; functions never change their meaning. */
-#define ANYSL_API_VERSION 3
+#define ANYSL_API_VERSION 4
 #define ANYSL_API __attribute__((visibility("default")))
 
 /* The structures of <anysl/abi.h> as libraries and renderers were compiled with them. */
@@ -55,7 +55,7 @@ ANYSL_ASSERT_SIZE(AnyslQuery, 40);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
 ANYSL_ASSERT_SIZE(AnyslEntryInfo, 16);
 ANYSL_ASSERT_SIZE(AnyslShaderInfo, 72);
-ANYSL_ASSERT_SIZE(AnyslLibraryInfo, 96);
+ANYSL_ASSERT_SIZE(AnyslLibraryInfo, 104);
 #undef ANYSL_ASSERT_SIZE
 
 typedef struct AnyslLibrary AnyslLibrary;
@@ -201,6 +201,10 @@ ANYSL_API int anysl_answer(const AnyslQuery *query, uint32_t type, uint32_t arra
 ANYSL_API int anysl_instance_answer(const AnyslInstance *instance, const AnyslShadeArgs *args,
                                     uint32_t point, const AnyslQuery *query, AnyslCell *value);
 
+/** Number \p at of the array that args->param_data has for parameter \p param, whatever its format;
+   args->library has to be there. */
+ANYSL_API double anysl_param_number(const AnyslShadeArgs *args, uint32_t param, size_t at);
+
 /** For renderers with arrays of their own: fills in what the instance knows (struct_size, params,
     param_is_set, services, renderer, library) and sets the rest to null. The caller sets count,
    globals and what else it has, and calls a function of anysl_shader_entry() on it. */
@@ -284,6 +288,11 @@ ANYSL_API AnyslStatus anysl_batch_bind_float(AnyslBatch *batch, const char *para
                                              uint32_t count, const float *values, size_t stride);
 ANYSL_API AnyslStatus anysl_batch_bind_double(AnyslBatch *batch, const char *param, uint32_t first,
                                               uint32_t count, const double *values, size_t stride);
+/** The same from halves (IEEE 754 binary16), which the batch keeps as they are where the library
+   reads halves (AnyslLibraryInfo::reads_half) and the parameter is no output, and converts
+   elsewhere; results are the same. */
+ANYSL_API AnyslStatus anysl_batch_bind_half(AnyslBatch *batch, const char *param, uint32_t first,
+                                            uint32_t count, const uint16_t *values, size_t stride);
 /** How those values change with u and v, for shaders that read that (ANYSL_PARAM_DIFFERENTIATED;
    others ignore it): laid out as the values, which must have been bound before. Without them, and
    at points that are never written, derivatives are 0. */

@@ -59,6 +59,17 @@ inline Real fromBits(BitsOf<Real> b) {
   return __builtin_bit_cast(Real, b);
 }
 
+/// A half (IEEE 754 binary16) as a float, exactly; written with operations that every processor
+/// widens. The exponent moves from a half's place to a float's by a product, which makes denormal
+/// halves normal floats, too.
+inline float fromHalf(uint16_t half) {
+  uint32_t magnitude = uint32_t(half & 0x7fff) << 13;
+  bool isFinite = magnitude < 0x0f800000;
+  uint32_t bits = bitsOf(fromBits<float>(magnitude) * 0x1p112f);
+  bits = isFinite ? bits : magnitude | 0x7f800000;
+  return fromBits<float>(bits | uint32_t(half & 0x8000) << 16);
+}
+
 /// The number before x > 0.
 template <typename Real>
 inline Real justBelow(Real x) {
@@ -66,9 +77,9 @@ inline Real justBelow(Real x) {
 }
 
 /// x, a number or 0; where `isNothing`, which says that x is 0 or denormal, a number of its sign in
-/// [1, 2): what to divide by in place of x, so that no flag is raised. Not `isNothing ? 1 : x`, which
-/// the optimizer takes out of a quotient again, as it does with every constant. The result of the
-/// division is for the caller to replace; in tiers that do not care for flags x stays as it is.
+/// [1, 2): what to divide by in place of x, so that no flag is raised. Not `isNothing ? 1 : x`,
+/// which the optimizer takes out of a quotient again, as it does with every constant. The result of
+/// the division is for the caller to replace; in tiers that do not care for flags x stays as it is.
 template <typename Real>
 inline Real divisor(Real x, bool isNothing) {
   return fromBits<Real>(bitsOf(x) | ((isNothing & math::keepsFlags()) ? bitsOf(Real(1)) : 0));

@@ -99,6 +99,8 @@ void anysl_runtime_shade_point(const AnyslShadeArgs *args, uint32_t point);
 void anysl_runtime_init(const AnyslShadeArgs *args);
 /// How this runtime finds the globals of a point.
 extern const AnyslLayout anysl_runtime_layout;
+/// Whether it looks for ANYSL_PARAM_HALF.
+extern const bool anysl_runtime_reads_half;
 
 } // extern "C"
 

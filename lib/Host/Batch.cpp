@@ -10,6 +10,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Host/Half.h"
 #include "lib/Host/Internal.h"
 #include <algorithm>
 
@@ -160,8 +161,10 @@ AnyslStatus readGlobal(const AnyslBatch &batch, int global, uint32_t first, uint
   return ANYSL_OK;
 }
 
-/// Finds a parameter and gives it an array; \p flag says which kind of parameter it has to be.
-AnyslStatus provideParam(AnyslBatch &batch, const char *name, uint32_t flag, int &index) {
+/// Finds a parameter and gives it an array, if possible of halves where those are wanted; \p flag
+/// says which kind of parameter it has to be.
+AnyslStatus provideParam(AnyslBatch &batch, const char *name, uint32_t flag, int &index,
+                         bool wantsHalves = false) {
   index = findParam(*batch.library, *batch.shader, name);
   if (index < 0)
     return ANYSL_ERROR_NAME;
@@ -174,10 +177,13 @@ AnyslStatus provideParam(AnyslBatch &batch, const char *name, uint32_t flag, int
                      : output                   ? "not an output parameter"
                                                 : "uniform"));
   if (!batch.paramBuffers[index].get()) {
-    size_t values = size_t(cellsOf(param)) * batch.stride;
-    batch.paramBuffers[index] = AlignedBuffer(
-        values * (param.type == ANYSL_STRING ? sizeof(char *) : realSize(*batch.library->info)));
-    batch.paramFlags[index] = output ? ANYSL_PARAM_ONLY_OUT : 0;
+    bool halves =
+        wantsHalves && batch.library->info->reads_half && !(param.flags & ANYSL_PARAM_OUTPUT);
+    size_t size = param.type == ANYSL_STRING ? sizeof(char *)
+                  : halves                   ? sizeof(Half)
+                                             : realSize(*batch.library->info);
+    batch.paramBuffers[index] = AlignedBuffer(size_t(cellsOf(param)) * batch.stride * size);
+    batch.paramFlags[index] = output ? ANYSL_PARAM_ONLY_OUT : halves ? ANYSL_PARAM_HALF : 0;
     batch.paramPointers[index] = batch.paramBuffers[index].get();
     batch.args.param_data = batch.paramPointers.data();
     batch.args.data_stride = batch.stride;
@@ -190,17 +196,38 @@ Range paramRange(const AnyslParamInfo &param, uint32_t first, uint32_t count) {
           count};
 }
 
+/// Makes an array of halves one of the library's reals.
+void widenHalves(AnyslBatch &batch, int index) {
+  size_t values = size_t(cellsOf(batch.shader->params[index])) * batch.stride;
+  AlignedBuffer halves = std::move(batch.paramBuffers[index]);
+  batch.paramBuffers[index] = AlignedBuffer(values * realSize(*batch.library->info));
+  batch.paramPointers[index] = batch.paramBuffers[index].get();
+  batch.paramFlags[index] = 0;
+  auto all = uint32_t(values);
+  copyIn(batch, {batch.paramBuffers[index].get(), 0, 0, 1}, {1, 1, 0, all},
+         reinterpret_cast<const Half *>(halves.get()), 1);
+}
+
 template <class Value>
 AnyslStatus bindParam(AnyslBatch &batch, const char *name, uint32_t first, uint32_t count,
                       const Value *values, size_t stride) {
+  constexpr bool fromHalves = std::is_same_v<Value, Half>;
   if (AnyslStatus status = checkRange(batch, first, count))
     return status;
   int index;
-  if (AnyslStatus status = provideParam(batch, name, ANYSL_PARAM_VARYING, index))
+  if (AnyslStatus status = provideParam(batch, name, ANYSL_PARAM_VARYING, index, fromHalves))
     return status;
-  batch.paramFlags[index] = 0;
-  copyIn(batch, paramView(batch, index, batch.paramBuffers[index].get()),
-         paramRange(batch.shader->params[index], first, count), values, stride);
+  if (batch.paramFlags[index] & ANYSL_PARAM_HALF && !fromHalves)
+    widenHalves(batch, index);
+  batch.paramFlags[index] &= ANYSL_PARAM_HALF;
+  AnyslView view = paramView(batch, index, batch.paramBuffers[index].get());
+  Range range = paramRange(batch.shader->params[index], first, count);
+  if constexpr (fromHalves)
+    if (batch.paramFlags[index]) {
+      copyIn<Half>(view, range, values, stride);
+      return ANYSL_OK;
+    }
+  copyIn(batch, view, range, values, stride);
   return ANYSL_OK;
 }
 
@@ -212,7 +239,7 @@ AnyslStatus bindDerivatives(AnyslBatch &batch, const char *name, uint32_t first,
   int index = findParam(*batch.library, *batch.shader, name);
   if (index < 0)
     return ANYSL_ERROR_NAME;
-  if (!batch.paramBuffers[index].get() || batch.paramFlags[index])
+  if (!batch.paramBuffers[index].get() || batch.paramFlags[index] & ANYSL_PARAM_ONLY_OUT)
     return fail(ANYSL_ERROR_STATE, context(*batch.library, *batch.shader) + "parameter '" + name +
                                        "' has no values point by point that could change");
   const AnyslParamInfo &param = batch.shader->params[index];
@@ -304,6 +331,7 @@ AnyslStatus create(const AnyslInstance &instance, uint32_t capacity, uint64_t mo
   batch->args.struct_size = sizeof(AnyslShadeArgs);
   batch->args.count = capacity;
   batch->args.globals = batch->globalPointers.data();
+  batch->args.param_is_set = batch->paramFlags.data();
   *result = batch.release();
   return ANYSL_OK;
 }
@@ -331,7 +359,6 @@ AnyslStatus shade(const AnyslInstance &instance, const AnyslBatch &batch, uint32
   // A copy, so that threads can shade different ranges of one batch.
   AnyslShadeArgs args = batch.args;
   args.params = const_cast<AnyslCell *>(instance.cells.data());
-  args.param_is_set = batch.paramFlags.data();
   args.services = &instance.services;
   args.renderer = instance.renderer;
   args.library = instance.library->info;
@@ -408,6 +435,12 @@ AnyslStatus anysl_batch_bind_double(AnyslBatch *batch, const char *param, uint32
   return guarded([&] { return bindParam(*batch, param, first, count, values, stride); });
 }
 
+AnyslStatus anysl_batch_bind_half(AnyslBatch *batch, const char *param, uint32_t first,
+                                  uint32_t count, const uint16_t *values, size_t stride) {
+  auto *halves = reinterpret_cast<const Half *>(values);
+  return guarded([&] { return bindParam(*batch, param, first, count, halves, stride); });
+}
+
 AnyslStatus anysl_batch_bind_derivatives_float(AnyslBatch *batch, const char *param, uint32_t first,
                                                uint32_t count, const float *by_u, const float *by_v,
                                                size_t stride) {
@@ -459,6 +492,7 @@ AnyslStatus anysl_batch_unbind(AnyslBatch *batch, const char *param) {
       return ANYSL_ERROR_NAME;
     batch->paramBuffers[index] = AlignedBuffer();
     batch->paramPointers[index] = nullptr;
+    batch->paramFlags[index] = 0;
     for (AnyslBatch::Derivatives *derivatives : {&batch->byU, &batch->byV})
       if (!derivatives->buffers.empty()) {
         derivatives->buffers[index] = AlignedBuffer();

@@ -5,6 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Host/Half.h"
 #include "lib/Host/Internal.h"
 
 #include <algorithm>
@@ -22,6 +23,15 @@ bool converts(uint32_t from, uint32_t to) {
          (from == ANYSL_FLOAT && (isTriple(to) || to == ANYSL_MATRIX));
 }
 
+double numberIn(const AnyslLibraryInfo &library, const AnyslShadeArgs &args, uint32_t param,
+                size_t at) {
+  const void *array = args.param_data[param];
+  if (library.reads_half && args.param_is_set[param] & ANYSL_PARAM_HALF)
+    return static_cast<const Half *>(array)[at];
+  return library.real == ANYSL_REAL_DOUBLE ? static_cast<const double *>(array)[at]
+                                           : static_cast<const float *>(array)[at];
+}
+
 /// The value of an element, as far as it is needed: its parameter's array at a point, in a
 /// library's own layout.
 void readElement(const LoadedLibrary &library, const AnyslShadeArgs &args, uint32_t index,
@@ -31,14 +41,11 @@ void readElement(const LoadedLibrary &library, const AnyslShadeArgs &args, uint3
   for (size_t c = 0; c < components; ++c) {
     size_t at = isSoA ? (element * components + c) * args.data_stride + point
                       : (element * args.data_stride + point) * components + c;
-    const void *data = args.param_data[index];
     if (type == ANYSL_STRING) {
-      value->string = static_cast<const char *const *>(data)[at];
+      value->string = static_cast<const char *const *>(args.param_data[index])[at];
       return;
     }
-    value[c].number = library.info->real == ANYSL_REAL_DOUBLE
-                          ? static_cast<const double *>(data)[at]
-                          : static_cast<const float *>(data)[at];
+    value[c].number = numberIn(*library.info, args, index, at);
   }
 }
 
@@ -71,6 +78,10 @@ int anysl_answer(const AnyslQuery *query, uint32_t type, uint32_t array_length,
     for (uint32_t i = 0; i < want; ++i)
       value[i].number = want == 3 || i % 5 == 0 ? cells->number : 0;
   return 1;
+}
+
+double anysl_param_number(const AnyslShadeArgs *args, uint32_t param, size_t at) {
+  return numberIn(*args->library, *args, param, at);
 }
 
 int anysl_instance_answer(const AnyslInstance *instance, const AnyslShadeArgs *args, uint32_t point,

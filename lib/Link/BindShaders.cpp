@@ -140,9 +140,9 @@ bool bindShaders(Session &session) {
     shader.point->setLinkage(GlobalValue::ExternalLinkage);
     shader.init->setLinkage(GlobalValue::ExternalLinkage);
   }
-  for (StringRef name : {"anysl_runtime_layout", "anysl_type_float", "anysl_real_format",
-                         "anysl_real_has_derivatives", ANYSL_NOTES_SYMBOL})
+  for (StringRef name : runtimeFacts)
     kept.insert(module.getNamedValue(name));
+  kept.insert(module.getNamedValue(ANYSL_NOTES_SYMBOL));
   internalizeModule(module, [&](const GlobalValue &value) { return kept.contains(&value); });
   ModuleAnalysisManager analyses;
   GlobalDCEPass().run(module, analyses);

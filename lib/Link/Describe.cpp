@@ -38,14 +38,15 @@ public:
     SmallVector<Constant *> shaders;
     for (const Shader &shader : session.shaders)
       shaders.push_back(shaderInfo(shader));
-    Constant *info = structure(
-        sizeof(AnyslLibraryInfo),
-        {u32(ANYSL_MAGIC), u32(ANYSL_ABI_VERSION), u32(sizeof(AnyslLibraryInfo)),
-         fact("anysl_runtime_layout"), fact("anysl_real_format"), u32(ANYSL_GLOBAL_COUNT),
-         u32(ANYSL_COMPONENT_COUNT), u32(sizeof(AnyslShadeArgs)), u32(sizeof(AnyslServices)),
-         u32(unsigned(shaders.size())), array(shaders), text("AnySL " ANYSL_VERSION),
-         text(session.options.runtime), text(session.real), text(session.math.text()),
-         text(session.target.getTargetCPU()), text(cpuFeatures(session.target))});
+    Constant *info =
+        structure(sizeof(AnyslLibraryInfo),
+                  {u32(ANYSL_MAGIC), u32(ANYSL_ABI_VERSION), u32(sizeof(AnyslLibraryInfo)),
+                   fact("anysl_runtime_layout"), fact("anysl_real_format"), u32(ANYSL_GLOBAL_COUNT),
+                   u32(ANYSL_COMPONENT_COUNT), u32(sizeof(AnyslShadeArgs)),
+                   u32(sizeof(AnyslServices)), u32(unsigned(shaders.size())), array(shaders),
+                   text("AnySL " ANYSL_VERSION), text(session.options.runtime), text(session.real),
+                   text(session.math.text()), text(session.target.getTargetCPU()),
+                   text(cpuFeatures(session.target)), fact("anysl_runtime_reads_half"), u32(0)});
     auto *library = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                        GlobalValue::ExternalLinkage, info, ANYSL_LIBRARY_SYMBOL);
     library->setAlignment(Align(8));

@@ -55,9 +55,9 @@ public:
   /// Follows everything from the shaders and the runtime on; reads what it meets.
   bool follow() {
     prepareShaders();
-    for (StringRef name :
-         {"anysl_runtime_shade_point", "anysl_runtime_init", "anysl_runtime_layout",
-          "anysl_type_float", "anysl_real_format", "anysl_real_has_derivatives"})
+    for (StringRef name : {"anysl_runtime_shade_point", "anysl_runtime_init"})
+      request(name, {});
+    for (StringRef name : runtimeFacts)
       request(name, {});
     for (const auto &names : {tierSymbols(session), noteSymbols(session)})
       for (const std::string &name : names)

@@ -111,6 +111,11 @@ bool openLayers(Session &session);
 /// nothing, if the real has no such partner or the runtime does not work with it.
 bool openLayersWithDerivatives(Session &session);
 
+/// The constants in which runtime and real say what the library's descriptor has to know.
+inline constexpr llvm::StringLiteral runtimeFacts[] = {
+    "anysl_runtime_layout", "anysl_runtime_reads_half", "anysl_type_float", "anysl_real_format",
+    "anysl_real_has_derivatives"};
+
 /// What a layer says of itself in a constant of that name; nothing if there is none.
 std::optional<uint64_t> constantOf(const llvm::Module &module, llvm::StringRef name);
 

@@ -245,7 +245,7 @@ public:
     uint32_t element = k / components, c = k % components;
     size_t index = isArrays ? (size_t(element) * components + c) * args.data_stride + point
                             : (element * args.data_stride + point) * components + c;
-    return number(args.param_data[param], index);
+    return float(anysl_param_number(&args, param, index));
   }
 
 private:

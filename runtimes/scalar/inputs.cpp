@@ -20,11 +20,11 @@ anysl_number &number(const anysl_context *context, uint32_t component, uint32_t)
   return points[size_t(context->point) * ANYSL_COMPONENT_COUNT + component];
 }
 
-template <int components>
-anysl_number &inArrays(const anysl_context *context, void *const *arrays, uint32_t id,
-                       uint32_t element, int component) {
+template <int components, class Number = anysl_number>
+Number &inArrays(const anysl_context *context, void *const *arrays, uint32_t id, uint32_t element,
+                 int component) {
   const AnyslShadeArgs *args = context->args;
-  auto *values = static_cast<anysl_number *>(arrays[id]);
+  auto *values = static_cast<Number *>(arrays[id]);
   return values[(size_t(element) * args->data_stride + context->point) * components + component];
 }
 

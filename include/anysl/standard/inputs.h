@@ -11,9 +11,12 @@
 // them:
 //
 //     anysl_number &number(const anysl_context *, uint32_t component, uint32_t step);
-//     template <int components>
-//     anysl_number &inArrays(const anysl_context *, void *const *arrays, uint32_t id,
-//                            uint32_t element, int component);
+//     template <int components, class Number = anysl_number>
+//     Number &inArrays(const anysl_context *, void *const *arrays, uint32_t id, uint32_t element,
+//                      int component);
+//
+// A runtime compiled with ANYSL_READS_HALF takes such arrays as halves, too, parameter by parameter
+// as the renderer says.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -93,6 +96,19 @@ anysl_number &varying(const anysl_context *context, uint32_t id, uint32_t elemen
   return inArrays<components>(context, context->args->param_data, id, element, component);
 }
 
+/// What the host gave a parameter.
+template <int components>
+anysl_number varyingInput(const anysl_context *context, uint32_t id, uint32_t element,
+                          int component) {
+#ifdef ANYSL_READS_HALF
+  const AnyslShadeArgs *args = context->args;
+  if (args->param_is_set[id] & ANYSL_PARAM_HALF)
+    return anysl::fromHalf(
+        inArrays<components, uint16_t>(context, args->param_data, id, element, component));
+#endif
+  return varying<components>(context, id, element, component);
+}
+
 /// A derivative of a parameter given point by point; 0 where the host has none.
 template <int components>
 anysl_number varyingDerivative(const anysl_context *context, void *const *arrays, uint32_t id,
@@ -109,7 +125,7 @@ template <int components>
 anysl_float loadVarying(const anysl_context *context, uint32_t id, uint32_t element,
                         int component) {
   using namespace anysl;
-  anysl_number value = varying<components>(context, id, element, component);
+  anysl_number value = varyingInput<components>(context, id, element, component);
   if constexpr (hasDerivatives<anysl_float>) {
     const AnyslShadeArgs *args = context->args;
     return withDerivatives<anysl_float>(
@@ -121,6 +137,12 @@ anysl_float loadVarying(const anysl_context *context, uint32_t id, uint32_t elem
 }
 
 } // namespace
+
+#ifdef ANYSL_READS_HALF
+const bool anysl_runtime_reads_half = true;
+#else
+const bool anysl_runtime_reads_half = false;
+#endif
 
 // Without derivatives nobody asks, and the linker defines no such places.
 anysl_number anysl::stepOfU(const anysl_context *context) {
