@@ -19,17 +19,6 @@
 
 namespace anysl::tier {
 
-/// A positive pair as a double that rounds to the same float: where the pair lies beside its higher
-/// half, the last bit is made odd, so that it is never taken for an exact middle (Boldo and
-/// Melquiond, "Emulation of a FMA and correctly rounded sums", 2008). Lower halves below `nothing`
-/// times the higher count as none: the exact cases.
-ANYSL_TIER double roundToOdd(Pair x, double nothing) {
-  bool exact = magnitude(x.low) <= x.high * nothing;
-  UInt64 bits = bitsOf(x.high);
-  UInt64 odd = (bits - (x.low < 0 ? 1 : 0)) | 1;
-  return fromBits(exact ? bits : odd);
-}
-
 /// The sum of two doubles has an error of about 2^-57: one result in 2^31 may be rounded wrongly.
 ANYSL_TIER float powCorrect(float x, float y) {
   double a = magnitude(x);

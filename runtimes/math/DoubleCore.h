@@ -71,6 +71,18 @@ ANYSL_TIER Pair quotient(Pair a, Pair b) {
   return fastSum(q, rest / b.high);
 }
 
+/// A pair as a double that rounds to the same float: where the pair lies beside its higher half,
+/// the last bit is made odd, so that it is never taken for an exact middle (Boldo and Melquiond,
+/// "Emulation of a FMA and correctly rounded sums", 2008). Lower halves below `nothing` times the
+/// higher count as none: the exact cases.
+ANYSL_TIER double roundToOdd(Pair x, double nothing) {
+  bool exact = magnitude(x.low) <= magnitude(x.high) * nothing;
+  UInt64 bits = bitsOf(x.high);
+  UInt64 isNearer0 = (bits ^ bitsOf(x.low)) >> 63;
+  UInt64 odd = (bits - isNearer0) | 1;
+  return fromBits(exact ? bits : odd);
+}
+
 } // namespace anysl::tier
 
 #endif // ANYSL_RUNTIMES_MATH_DOUBLECORE_H

@@ -112,6 +112,17 @@ ANYSL_TIER double sinOrCos(Quadrant q) {
   return fromBits(bitsOf(y) ^ ((q.n & 2) << 62));
 }
 
+/// The same to about 2^-57, as a double that rounds to the right float.
+ANYSL_TIER double sinOrCosForFloat(Quadrant q) {
+  double z = q.r.high * q.r.high;
+  Pair s = fastSum(q.r.high, sinTail(q.r, z));
+  Pair c = cosPair(q.r, z);
+  c = fastSum(c.high, c.low - 0.5 * product(q.r.high, q.r.high).low);
+  bool odd = q.n & 1;
+  double y = roundToOdd({odd ? c.high : s.high, odd ? c.low : s.low}, 0);
+  return fromBits(bitsOf(y) ^ ((q.n & 2) << 62));
+}
+
 ANYSL_TIER double sinOf(double x) {
   double y = sinOrCos(quadrantOf(x));
   return x == 0 ? x : y;

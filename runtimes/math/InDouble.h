@@ -20,6 +20,7 @@
 
 #include "runtimes/math/Coefficients.h"
 #include "runtimes/math/Core.h"
+#include "runtimes/math/DoubleTrig.h"
 #include "runtimes/math/Special.h"
 #include "runtimes/math/Turns.h"
 
@@ -85,25 +86,52 @@ ANYSL_TIER double sinNear(double r) {
   return r * mulAdd<C::fusion>(z, horner<C::fusion>(C::sinPi, z), 1.0);
 }
 
+/// sin x or cos x where the remainder of x needs more than a double: for |x| >= HugeArgument, and
+/// for correct rounding wherever isNearMiddle.
+template <class C, bool Cosine>
+ANYSL_TIER double sinOrCosHard(double x) {
+  if constexpr (C::exact) {
+    Turns t = turnsHuge(x, 2, 0);
+    Quadrant huge = {product(Pair{t.r, t.low}, HalfPiPair), t.n}, near = quadrantNear(x);
+    bool isHuge = magnitude(x) >= float(HugeArgument64);
+    return sinOrCosForFloat({{isHuge ? huge.r.high : near.r.high, isHuge ? huge.r.low : near.r.low},
+                             (isHuge ? huge.n : near.n) + Cosine});
+  } else {
+    Turns t = turnsHuge(x, 1, Cosine ? -0.5 : 0);
+    return fromBits(bitsOf(sinNear<C>(t.r * Pi)) ^ ((Cosine ? ~t.n : t.n) << 63));
+  }
+}
+
+/// Whether x is so near the middle between two floats that its error may have it rounded wrongly.
+ANYSL_TIER bool isNearMiddle(double x) {
+  constexpr UInt64 middle = 0x10000000, doubt = 8;
+  return (bitsOf(x) + (middle + doubt)) % (2 * middle) < 2 * doubt;
+}
+
+/// The same for any x, given sin or cos of its remainder from turnsNear.
+template <class C, bool Cosine>
+ANYSL_TIER float sinOrCosFrom(double y, float x) {
+  bool isHard = magnitude(x) >= (C::exact ? float(HugeArgument64) : HugeArgument);
+  if constexpr (C::exact)
+    isHard = int(isHard) | isNearMiddle(y);
+  if (__builtin_expect(isHard, 0))
+    y = sinOrCosHard<C, Cosine>(x);
+  return float(y);
+}
+
 template <class C>
 ANYSL_TIER float sinInDouble(float x) {
   Turns t = turnsNear<typename C::Pi, C::fusion>(x);
-  if (__builtin_expect(magnitude(x) >= HugeArgument, 0)) {
-    t = turnsHuge(x, 1, 0);
-    t.r *= Pi;
-  }
-  float y = float(fromBits(bitsOf(sinNear<C>(t.r)) ^ (t.n << 63)));
-  return C::exact && x == 0 ? x : y;
+  double y = fromBits(bitsOf(sinNear<C>(t.r)) ^ (t.n << 63));
+  float s = sinOrCosFrom<C, false>(y, x);
+  return C::exact && x == 0 ? x : s;
 }
 
 template <class C>
 ANYSL_TIER float cosInDouble(float x) {
   Turns t = turnsNear<typename C::Pi, C::fusion, true>(x);
-  if (__builtin_expect(magnitude(x) >= HugeArgument, 0)) {
-    t = turnsHuge(x, 1, -0.5);
-    t.r *= Pi;
-  }
-  return float(fromBits(bitsOf(sinNear<C>(t.r)) ^ (~t.n << 63)));
+  double y = fromBits(bitsOf(sinNear<C>(t.r)) ^ (~t.n << 63));
+  return sinOrCosFrom<C, true>(y, x);
 }
 
 template <class C>

@@ -9,14 +9,16 @@
 #define ANYSL_RUNTIMES_MATH_TURNS_H
 
 #include "runtimes/math/Coefficients.h"
-#include "runtimes/math/Core.h"
+#include "runtimes/math/DoubleCore.h"
 
 namespace anysl::tier {
 
-/// An argument as n·unit + r; only the low bits of n count.
+/// An argument as n·unit + r; only the low bits of n count. Where `low` is given, it is what r is
+/// short of.
 struct Turns {
   double r;
   UInt64 n;
+  double low = 0;
 };
 
 /// From here on a float's product with 1/pi is computed modulo 2.
@@ -57,7 +59,9 @@ ANYSL_TIER Turns turnsHuge(double x, double scale, double offset) {
   b -= tb - RoundShift;
   double ts = (a + b) + RoundShift;
   a -= ts - RoundShift;
-  return {(a + b) + c, bitsOf(ta) + bitsOf(tb) + bitsOf(ts)};
+  Pair s = twoSum(a, b);
+  double r = s.high + c;
+  return {r, bitsOf(ta) + bitsOf(tb) + bitsOf(ts), (c - (r - s.high)) + s.low};
 }
 
 } // namespace anysl::tier
