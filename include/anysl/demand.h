@@ -1,4 +1,5 @@
-/*===-- anysl/demand.h - what a shader library was linked for -----------------------------*- C -*-===
+/*===-- anysl/demand.h - what a shader library was linked for -----------------------------*- C
+ *-*-===
  *
  * Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
  * SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -38,26 +39,40 @@ typedef enum AnyslAssumption {
 /** The symbol of such a library's AnyslDemandInfo. */
 #define ANYSL_DEMAND_SYMBOL "anysl_demand"
 
+/** What a shader's source has, of which its scene may not call for all. A host that treats shaders
+    by what they can do, such as lights that look for shadows themselves, goes by this. */
+typedef struct AnyslSourceInfo {
+  uint64_t globals_written; /**< as in AnyslShaderInfo */
+  uint32_t effects;
+  uint32_t reserved;
+} AnyslSourceInfo;
+
 typedef struct AnyslDemandInfo {
   uint32_t struct_size;
-  uint32_t assumes;     /**< bit 1 << ANYSL_ASSUMES_...: what the scene does without */
-  uint64_t digest;      /**< of the manifest: equal for equal demands */
-  const char *manifest; /**< what it was linked for, as JSON (docs/effects.md) */
+  uint32_t assumes;            /**< bit 1 << ANYSL_ASSUMES_...: what the scene does without */
+  uint64_t digest;             /**< of the manifest: equal for equal demands */
+  const char *manifest;        /**< what it was linked for, as JSON (docs/effects.md) */
   const char *dropped_outputs; /**< names of the output parameters nobody looks at, with commas */
   double time;                 /**< of all points, where no motion is assumed */
+  const AnyslSourceInfo *sources; /**< of each shader of the library */
 } AnyslDemandInfo;
 
 /** What a renderer's scene has, and wants to see. */
 typedef struct AnyslSceneFacts {
   uint32_t struct_size;
-  uint32_t has;               /**< bit 1 << ANYSL_ASSUMES_...: it has what is assumed not to be there */
+  uint32_t has; /**< bit 1 << ANYSL_ASSUMES_...: it has what is assumed not to be there */
   const char *const *outputs; /**< output parameters that it wants, with a null pointer behind the
                                    last; null: none */
   double time;                /**< of all points, where it has no motion */
 } AnyslSceneFacts;
 
-/** What a library was linked for; null of one that serves every scene. Lives as long as the library. */
+/** What a library was linked for; null of one that serves every scene. Lives as long as the
+ * library. */
 ANYSL_API const AnyslDemandInfo *anysl_library_demand(const AnyslLibrary *library);
+
+/** What one of a library's shaders could do for any scene. */
+ANYSL_API AnyslSourceInfo anysl_library_source(const AnyslLibrary *library,
+                                               const AnyslShaderInfo *shader);
 
 /** ANYSL_OK if a library has all that a scene calls for, else ANYSL_ERROR_STATE. */
 ANYSL_API AnyslStatus anysl_library_allows(const AnyslLibrary *library,

@@ -40,6 +40,8 @@ struct Demand {
   /// The kinds of lights that shine: "ambientlight", "distantlight", a light shader's name.
   std::optional<std::vector<std::string>> lights;
   std::optional<bool> shadows; ///< whether some light casts shadows
+  /// Whether shaders that run for points of others (lights, volumes, methods) trace rays there.
+  std::optional<bool> othersTrace;
   std::optional<unsigned> rayDepth;
   std::optional<std::vector<std::string>> textures;
   std::optional<bool> displacement, atmosphere, imager, lens;
@@ -63,6 +65,12 @@ std::set<std::string> variablesOf(const render::SceneDescription &scene);
 /// Adds what the uses of one shader have in common.
 void addShader(Demand &demand, const std::set<std::string> &variables,
                std::span<const render::ShaderUse *const> uses);
+/// Sorts the uses of one shader by what they can have in common: those that state the same
+/// parameters, and of these the same ones as nothing (0, or empty text), go together, since that is
+/// what effects are switched off with. At most `most` groups, in the order of the uses; the last of
+/// these then has all that are left.
+std::vector<std::vector<const render::ShaderUse *>>
+alikeUses(std::span<const render::ShaderUse *const> uses, size_t most);
 /// A scene's demand with all its shaders.
 Demand demandOfAll(const render::SceneDescription &scene);
 

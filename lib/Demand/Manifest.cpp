@@ -124,6 +124,7 @@ void complete(Demand &demand) {
   fill(demand.lights, none);
   fill(demand.textures, none);
   fill(demand.shadows, false);
+  fill(demand.othersTrace, false);
   fill(demand.rayDepth, 0u);
   fill(demand.displacement, false);
   fill(demand.atmosphere, false);
@@ -161,6 +162,7 @@ Demand readManifest(const std::shared_ptr<const SourceFile> &file) {
       {"asked", texts(result.asked)},
       {"lights", texts(result.lights)},
       {"shadows", truth(result.shadows)},
+      {"othersTrace", truth(result.othersTrace)},
       {"rayDepth",
        [&](const Json &value, const std::string &key) {
          expect(value, Json::Number, key);
@@ -236,6 +238,7 @@ std::string writeManifest(const Demand &demand, bool places) {
   texts("asked", demand.asked);
   texts("lights", demand.lights);
   truth("shadows", demand.shadows);
+  truth("othersTrace", demand.othersTrace);
   if (demand.rayDepth) {
     key("rayDepth");
     result += std::to_string(*demand.rayDepth);
@@ -265,6 +268,7 @@ uint32_t Demand::assumptions() const {
   return bit(ANYSL_ASSUMES_NO_LIGHTS, lights && !shines) |
          bit(ANYSL_ASSUMES_NO_AMBIENT, lights && !mayBeAmbient) |
          bit(ANYSL_ASSUMES_NO_SHADOWS, shadows && !*shadows) |
+         bit(ANYSL_ASSUMES_NO_OTHER_RAYS, othersTrace && !*othersTrace) |
          bit(ANYSL_ASSUMES_NO_TRACED_RAYS, rayDepth && *rayDepth == 0) |
          bit(ANYSL_ASSUMES_NO_TEXTURES, textures && textures->empty()) |
          bit(ANYSL_ASSUMES_NO_DISPLACEMENT, displacement && !*displacement) |

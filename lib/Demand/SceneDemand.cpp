@@ -120,8 +120,12 @@ void addShader(Demand &demand, const std::set<std::string> &variables,
     return;
   ShaderDemand &shader = demand.shaders[shaderName(uses[0]->name)];
   shader.complete = true;
-  for (const Parameter &parameter : uses[0]->parameters)
-    shader.parameters[parameter.name] = valueOf(parameter);
+  for (const Parameter &parameter : uses[0]->parameters) {
+    // What is stated twice is for the renderer to say.
+    auto [entry, isNew] = shader.parameters.try_emplace(parameter.name, valueOf(parameter));
+    if (!isNew)
+      entry->second.reset();
+  }
   for (const ShaderUse *use : uses.subspan(1)) {
     // What one gives and the other leaves at its default differs as well.
     for (auto &[name, value] : shader.parameters) {
@@ -135,6 +139,30 @@ void addShader(Demand &demand, const std::set<std::string> &variables,
   }
   for (const std::string &name : variables)
     shader.parameters[name].reset();
+}
+
+std::vector<std::vector<const ShaderUse *>> alikeUses(std::span<const ShaderUse *const> uses,
+                                                      size_t most) {
+  using Pattern = std::map<std::string, bool>; // by stated parameter: whether it is nothing
+  std::vector<Pattern> patterns;
+  std::vector<std::vector<const ShaderUse *>> result;
+  for (const ShaderUse *use : uses) {
+    Pattern pattern;
+    for (const Parameter &parameter : use->parameters) {
+      auto isZero = [](double number) { return number == 0; };
+      auto isEmpty = [](const std::string &text) { return text.empty(); };
+      pattern[parameter.name] =
+          std::all_of(parameter.numbers.begin(), parameter.numbers.end(), isZero) &&
+          std::all_of(parameter.strings.begin(), parameter.strings.end(), isEmpty);
+    }
+    auto known = std::find(patterns.begin(), patterns.end(), pattern);
+    if (known == patterns.end() && result.size() < most) {
+      known = patterns.insert(patterns.end(), std::move(pattern));
+      result.emplace_back();
+    }
+    result[std::min(size_t(known - patterns.begin()), result.size() - 1)].push_back(use);
+  }
+  return result;
 }
 
 Demand demandOfAll(const SceneDescription &scene) {
@@ -160,7 +188,7 @@ Demand demandOfAll(const SceneDescription &scene) {
     addShader(result, variables, list);
   // A co-shader's parameters are set and read by whoever calls it.
   for (int index : used.coshaders)
-    result.shaders.erase(shaderName(scene.shaders[size_t(index)].name));
+    result.shaders[shaderName(scene.shaders[size_t(index)].name)] = {};
   return result;
 }
 

@@ -53,6 +53,12 @@ const AnyslDemandInfo *anysl::host::demandOf(const LoadedLibrary &library) {
   return demand && demand->struct_size == sizeof(AnyslDemandInfo) ? demand : nullptr;
 }
 
+AnyslSourceInfo anysl::host::sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader) {
+  if (const AnyslDemandInfo *demand = demandOf(library))
+    return demand->sources[&shader - library.info->shaders];
+  return {shader.globals_written, shader.effects, 0};
+}
+
 AnyslStatus anysl::host::checkDemand(const LoadedLibrary &library, const AnyslSceneFacts &facts) {
   const AnyslDemandInfo *demand = demandOf(library);
   std::string lack = demand ? lacking(*demand, facts) : "";
@@ -65,6 +71,10 @@ extern "C" {
 
 const AnyslDemandInfo *anysl_library_demand(const AnyslLibrary *library) {
   return demandOf(*library->loaded);
+}
+
+AnyslSourceInfo anysl_library_source(const AnyslLibrary *library, const AnyslShaderInfo *shader) {
+  return sourceOf(*library->loaded, *shader);
 }
 
 AnyslStatus anysl_library_allows(const AnyslLibrary *library, const AnyslSceneFacts *facts) {

@@ -67,6 +67,8 @@ AnyslStatus checkDescriptor(const LoadedLibrary &library);
 
 /// What a library was linked for; null: any scene.
 const AnyslDemandInfo *demandOf(const LoadedLibrary &library);
+/// What a shader of a library could do for any scene.
+AnyslSourceInfo sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader);
 /// Fails if the library lacks what a scene calls for.
 AnyslStatus checkDemand(const LoadedLibrary &library, const AnyslSceneFacts &facts);
 

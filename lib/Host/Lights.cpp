@@ -54,9 +54,10 @@ AnyslStatus fromInstance(const AnyslInstance &instance, AnyslLight &light) {
     light.flags |= ANYSL_LIGHT_NONSPECULAR;
   if (computed)
     light.flags |= ANYSL_LIGHT_COMPUTES_FLAGS;
-  if (!(shader.globals_written & bit(ANYSL_L)))
+  const AnyslSourceInfo source = sourceOf(*instance.library, shader);
+  if (!(source.globals_written & bit(ANYSL_L)))
     light.flags |= ANYSL_LIGHT_AMBIENT;
-  if (shader.effects & solarEffect)
+  if (source.effects & solarEffect)
     light.flags |= ANYSL_LIGHT_FAR;
   if (const AnyslParamInfo *category = singleParam(shader, "__category", ANYSL_STRING))
     light.category = instance.cells[category->first_cell].string;

@@ -64,10 +64,14 @@ private:
         dropped.insert(name);
     Constant *time =
         ConstantFP::get(builder.getDoubleTy(), scene.shutter ? (*scene.shutter)[0] : 0);
+    SmallVector<Constant *> sources;
+    for (const Shader &shader : session.shaders)
+      sources.push_back(structure(sizeof(AnyslSourceInfo),
+                                  {u64(shader.sourceWritten), u32(shader.sourceEffects), u32(0)}));
     Constant *info =
-        structure(sizeof(AnyslDemandInfo),
-                  {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
-                   u64(xxh3_64bits(manifest)), text(manifest), text(join(dropped, ",")), time});
+        structure(sizeof(AnyslDemandInfo), {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
+                                            u64(xxh3_64bits(manifest)), text(manifest),
+                                            text(join(dropped, ",")), time, array(sources)});
     auto *variable = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                         GlobalValue::ExternalLinkage, info, ANYSL_DEMAND_SYMBOL);
     variable->setAlignment(Align(8));

@@ -85,10 +85,11 @@ bool runStages(Session &session, ArrayRef<std::string> files) {
   return
       // Constants go in while a parameter is still an operator with a cell's number.
       run(session, "specialize", specializeParams) &&
+      // While what a shader stores is an operator; it decides which real is linked. It goes by all
+      // that the shader can do, so that the scene has no say in it.
+      run(session, "tangents", giveTangents) &&
       // While what a scene does without is a call with a name and a place.
       run(session, "prune", prune) &&
-      // While what a shader stores is an operator; it decides which real is linked.
-      run(session, "tangents", giveTangents) &&
       // Reads the bodies that the shaders reach and no others, which keeps linking fast however
       // much the libraries grow.
       run(session, "link", linkModules) &&

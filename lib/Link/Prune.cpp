@@ -14,6 +14,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Link/Prune.h"
+#include "lib/STC/Asking.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/IR/CFG.h"
@@ -49,8 +50,10 @@ std::string join(const std::set<std::string> &texts) { return llvm::join(texts, 
 
 class Pruner {
 public:
-  Pruner(Session &session, Shader &shader, const std::optional<std::set<std::string>> &asked)
-      : session(session), shader(shader), asked(asked), body(*shader.info.body) {}
+  Pruner(Session &session, Shader &shader, const std::optional<std::set<std::string>> &asked,
+         bool othersTrace)
+      : session(session), shader(shader), asked(asked), othersTrace(othersTrace),
+        body(*shader.info.body) {}
 
   void run() {
     foldBranches();
@@ -149,7 +152,8 @@ private:
   }
 
   /// Where a point's random numbers and rays come one after the other, one that goes changes those
-  /// behind it: they go together or not at all.
+  /// behind it: they go together or not at all. Lights that shine on a point number its rays on,
+  /// and so does the volume in front of it.
   static bool isSequence(const stc::OpInfo &op) {
     return op.purity == stc::Purity::Stateful || op.effect == stc::Effect::Trace ||
            op.effect == stc::Effect::Indirect;
@@ -160,7 +164,7 @@ private:
     SmallPtrSet<const Instruction *, 32> live;
     SmallPtrSet<const Value *, 32> liveSlots;
     SmallVector<const Instruction *> worklist;
-    bool sequenceIsLive = false;
+    bool sequenceIsLive = othersTrace;
     auto enliven = [&](const Instruction *instruction) {
       if (live.insert(instruction).second)
         worklist.push_back(instruction);
@@ -189,7 +193,7 @@ private:
       while (!worklist.empty()) {
         const Instruction *instruction = worklist.pop_back_val();
         const stc::OpInfo *op = opOf(*instruction);
-        sequenceIsLive |= op && isSequence(*op);
+        sequenceIsLive |= op ? isSequence(*op) : isa<CallInst>(instruction);
         for (auto [i, operand] : enumerate(instruction->operands())) {
           auto *call = dyn_cast<CallInst>(instruction);
           bool isSlot = call && i < call->arg_size() && operand->getType()->isPointerTy();
@@ -278,6 +282,7 @@ private:
   Session &session;
   Shader &shader;
   const std::optional<std::set<std::string>> &asked;
+  bool othersTrace;
   Function &body;
 };
 
@@ -349,8 +354,13 @@ bool prune(Session &session) {
   if (!session.options.scene)
     return true;
   std::optional<std::set<std::string>> asked = askedNames(session);
-  for (Shader &shader : session.shaders)
-    Pruner(session, shader, asked).run();
+  bool othersTrace = !(session.options.scene->assumptions() >> ANYSL_ASSUMES_NO_OTHER_RAYS & 1) ||
+                     any_of(session.files, [](auto &file) { return stc::tracesForOthers(file); });
+  for (Shader &shader : session.shaders) {
+    if (!noteSource(session, shader))
+      return false;
+    Pruner(session, shader, asked, othersTrace).run();
+  }
   return true;
 }
 

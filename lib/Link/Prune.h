@@ -26,12 +26,13 @@ struct FixedValue {
 /// that it leaves alone (SceneParams.cpp).
 void findSceneConstants(Session &session, std::vector<FixedValue> &values);
 
-/// Names of parameters that shaders of this module may ask others for, or set; nothing: there may
-/// be any.
-std::optional<std::set<std::string>> askedNames(const llvm::Module &module);
-
-/// The same for all shaders of the scene.
+/// Names of parameters that shaders of the scene may ask others for, or set; nothing: there may be
+/// any.
 std::optional<std::set<std::string>> askedNames(const Session &session);
+
+/// Notes what a shader's source has before anything is left out (SourceInfo.cpp). Gives false, with
+/// an error, if a layer is damaged.
+bool noteSource(Session &session, Shader &shader);
 
 /// The assumption of the scene under which an operator is not needed; nothing if it may be.
 std::optional<unsigned> unneededIn(const Session &session, stc::Op op);

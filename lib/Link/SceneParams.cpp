@@ -13,6 +13,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Link/Prune.h"
+#include "lib/STC/Asking.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/IR/Constants.h"
@@ -26,58 +27,6 @@ using stc::Op;
 using stc::ParamKind;
 
 namespace {
-
-/// Whether an operator names parameters of other shaders in its texts.
-bool asksByName(const stc::OpInfo &op, const CallInst &call) {
-  // Kinds of QueryKinds.def from 7 on are no shader's.
-  if (idKind(op) == stc::IdKind::Query)
-    for (auto [param, operand] : zip_equal(op.params, call.args()))
-      if (param.kind == ParamKind::Id && cast<ConstantInt>(operand)->getZExtValue() >= 7)
-        return false;
-  return op.effect == stc::Effect::Queries || op.effect == stc::Effect::Shaders ||
-         op.effect == stc::Effect::LightValues || op.effect == stc::Effect::Lights ||
-         op.op == Op::trace_values;
-}
-
-void addWords(StringRef text, std::set<std::string> &words) {
-  while (!text.empty()) {
-    text = text.drop_until([](char c) { return isAlpha(c) || c == '_'; });
-    StringRef word = text.take_while([](char c) { return isAlnum(c) || c == '_'; });
-    if (!word.empty())
-      words.insert(word.str());
-    text = text.drop_front(word.size());
-  }
-}
-
-/// Adds the words of all texts that a variable may hold; false if that cannot be told.
-bool addTexts(const Value &slot, std::set<std::string> &words) {
-  auto *alloc = dyn_cast<CallInst>(&slot);
-  const stc::OpInfo *made =
-      alloc ? stc::opOfSymbol(alloc->getCalledFunction()->getName()) : nullptr;
-  if (!made || made->op != Op::alloc)
-    return false;
-  for (const User *user : slot.users()) {
-    auto *call = dyn_cast<CallInst>(user);
-    const stc::OpInfo *op = call ? stc::opOfSymbol(call->getCalledFunction()->getName()) : nullptr;
-    if (!op)
-      return false;
-    for (auto [param, operand] : zip_equal(op->params, call->args())) {
-      if (operand != &slot || param.kind == ParamKind::In)
-        continue;
-      if (op->op == Op::copy_string) {
-        if (!addTexts(*call->getArgOperand(1), words))
-          return false;
-        continue;
-      }
-      if (op->op != Op::const_string)
-        return false;
-      auto *text = cast<GlobalVariable>(call->getArgOperand(1));
-      if (auto *data = dyn_cast<ConstantDataArray>(text->getInitializer()))
-        addWords(data->getAsCString(), words);
-    }
-  }
-  return true;
-}
 
 /// A value in the words of the language: "0.5", "(1, 0, 0)", "\"grid.tex\"".
 std::string wordsOf(const SlotValue &value) {
@@ -186,30 +135,13 @@ private:
 
 } // namespace
 
-std::optional<std::set<std::string>> askedNames(const Module &module) {
-  std::set<std::string> result;
-  for (const Function &function : module)
-    for (const Instruction &instruction : instructions(function)) {
-      auto *call = dyn_cast<CallInst>(&instruction);
-      const Function *callee = call ? call->getCalledFunction() : nullptr;
-      const stc::OpInfo *op = callee ? stc::opOfSymbol(callee->getName()) : nullptr;
-      if (!op || !asksByName(*op, *call))
-        continue;
-      for (auto [param, operand] : zip_equal(op->params, call->args()))
-        if (param.isValue() && param.type == stc::Type::stringTy && param.kind == ParamKind::In &&
-            !addTexts(*operand, result))
-          return std::nullopt;
-    }
-  return result;
-}
-
 std::optional<std::set<std::string>> askedNames(const Session &session) {
   const auto &others = session.options.scene->asked;
   if (!others)
     return std::nullopt;
   std::set<std::string> result(others->begin(), others->end());
   for (const stc::StcModule &file : session.files) {
-    auto names = askedNames(*file.module);
+    auto names = stc::askedNames(*file.module);
     if (!names)
       return std::nullopt;
     result.insert(names->begin(), names->end());

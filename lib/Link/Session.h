@@ -53,6 +53,9 @@ struct Shader {
   /// Bits as in AnyslShaderInfo.
   uint32_t effects = 0;
   uint32_t services = 0;
+  /// Of the source, before a scene left anything out; as in AnyslSourceInfo.
+  uint64_t sourceWritten = 0;
+  uint32_t sourceEffects = 0;
   ShaderReport report;
 };
 

@@ -126,7 +126,7 @@ std::optional<Description> describeLibrary(DiagnosticEngine &diags, const std::s
   target.layout = info.layout == ANYSL_LAYOUT_SOA ? "SoA" : "AoS";
   target.cpu = orEmpty(info.target_cpu);
   target.cpuFeatures = splitList(orEmpty(info.cpu_features));
-  Description description = {path, orEmpty(info.producer), target, {}};
+  Description description = {path, orEmpty(info.producer), target, std::nullopt, {}};
   for (uint32_t i = 0; i < info.shader_count; ++i)
     description.shaders.push_back(describeShader(info.shaders[i], opened));
   return description;

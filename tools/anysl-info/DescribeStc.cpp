@@ -5,7 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/STC/Reader.h"
+#include "lib/STC/Asking.h"
 #include "tools/anysl-info/Description.h"
 #include "llvm/ADT/SmallPtrSet.h"
 #include "llvm/IR/InstIterator.h"
@@ -90,7 +90,10 @@ std::optional<Description> describeStc(DiagnosticEngine &diags, const std::strin
   std::optional<stc::StcModule> file = stc::readFile(diags, context, path);
   if (!file)
     return std::nullopt;
-  Description description = {path, file->producer, std::nullopt, {}};
+  Description description = {path, file->producer, std::nullopt, Asking(), {}};
+  if (auto names = stc::askedNames(*file->module))
+    description.asking->names.emplace(names->begin(), names->end());
+  description.asking->tracesForOthers = stc::tracesForOthers(*file);
   for (const stc::ShaderInfo &shader : file->shaders)
     description.shaders.push_back(describeShader(shader));
   return description;

@@ -51,10 +51,17 @@ struct Target {
   std::string refusal; ///< why this machine does not run it; empty if it does
 };
 
+/// What shaders ask of each other.
+struct Asking {
+  std::optional<std::vector<std::string>> names; ///< of parameters; nothing: any
+  bool tracesForOthers = false;
+};
+
 struct Description {
   std::string path;
   std::string producer;
   std::optional<Target> target; ///< compiled libraries only
+  std::optional<Asking> asking; ///< threaded code only
   std::vector<Shader> shaders;
 };
 

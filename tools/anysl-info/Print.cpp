@@ -185,6 +185,13 @@ void printJson(const Description &description, raw_ostream &out) {
       jsonNames(json, "cpu_features", target->cpuFeatures);
       json.attribute("runs_here", target->refusal.empty());
     }
+    if (const auto &asking = description.asking) {
+      if (asking->names)
+        jsonNames(json, "asked", *asking->names);
+      else
+        json.attribute("asked", nullptr);
+      json.attribute("traces_for_others", asking->tracesForOthers);
+    }
     json.attributeArray("shaders", [&] {
       for (const Shader &shader : description.shaders)
         json.object([&] { jsonShader(json, shader); });

@@ -8,8 +8,8 @@
 
 #include "tools/anysl-link/Scene.h"
 
-#include "lib/Link/Prune.h"
 #include "lib/Rib/RibReader.h"
+#include "lib/STC/Asking.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/IR/LLVMContext.h"
 
@@ -18,9 +18,10 @@ using namespace llvm;
 namespace anysl {
 namespace {
 
-/// Adds what shaders that are not linked ask for; a file that is wrong is an error.
-bool addAsked(DiagnosticEngine &diags, ArrayRef<std::string> beside, demand::Demand &scene,
-              std::set<std::string> &shaders) {
+/// Adds what shaders that are not linked ask for, and whether they trace; a file that is wrong is
+/// an error.
+bool addBeside(DiagnosticEngine &diags, ArrayRef<std::string> beside, demand::Demand &scene,
+               std::set<std::string> &shaders) {
   LLVMContext context;
   std::set<std::string> asked;
   if (scene.asked)
@@ -32,7 +33,9 @@ bool addAsked(DiagnosticEngine &diags, ArrayRef<std::string> beside, demand::Dem
       return false;
     for (const stc::ShaderInfo &shader : file->shaders)
       shaders.insert(shader.name);
-    auto names = link::askedNames(*file->module);
+    if (stc::tracesForOthers(*file))
+      scene.othersTrace = true;
+    auto names = stc::askedNames(*file->module);
     isKnown &= names.has_value();
     if (names)
       asked.insert(names->begin(), names->end());
@@ -62,7 +65,7 @@ std::optional<demand::Demand> read(DiagnosticEngine &diags, const std::string &p
     shaders.insert(demand::shaderName(name));
   if (StringRef(path).ends_with(".json")) {
     demand::Demand scene = demand::readManifest(file);
-    if (!addAsked(diags, beside, scene, shaders))
+    if (!addBeside(diags, beside, scene, shaders))
       return std::nullopt;
     return scene;
   }
@@ -75,9 +78,12 @@ std::optional<demand::Demand> read(DiagnosticEngine &diags, const std::string &p
   }
   demand::Demand scene = demand::demandOfAll(scenes[0]);
   scene.asked.emplace();
-  if (!addAsked(diags, beside, scene, shaders))
+  scene.othersTrace = false;
+  if (!addBeside(diags, beside, scene, shaders))
     return std::nullopt;
   std::string unknown = missing(scene, shaders);
+  if (!unknown.empty())
+    scene.othersTrace = true;
   if (!unknown.empty() && scene.asked) {
     static constexpr WarningGroup Beside{"beside", true};
     diags.warning(FilePosition{path}, Beside,

@@ -59,7 +59,7 @@ public:
   std::vector<Vec3d> dPdu, dPdv;            ///< where givesTangents()
   std::vector<Vec3d> oldPlaces, oldNormals; ///< before that
 
-  bool setsNormals() const { return (shader.info->globals_written >> ANYSL_N & 1) != 0; }
+  bool setsNormals() const { return (shader.source.globals_written >> ANYSL_N & 1) != 0; }
   /// Whether the shader says how P changes (anysl-link --tangents).
   bool givesTangents() const { return (shader.info->globals_written >> ANYSL_dPdu & 1) != 0; }
   /// A place that is none, or further off than Embree can go, is not gone to.
@@ -75,7 +75,7 @@ public:
   /// Whether the shader finds the normals of what it moves, as calculatenormal() does, and may not
   /// know how that changes: effect number 20 of lib/STC/Effects.def.
   bool findsNormals() const {
-    return setsNormals() && (shader.info->effects >> 20 & 1) != 0 && !givesTangents();
+    return setsNormals() && (shader.source.effects >> 20 & 1) != 0 && !givesTangents();
   }
   bool isTurned(uint32_t i) const {
     return dot(newNormal(i), normalized(oldNormals[i])) < 1 - 1e-6;

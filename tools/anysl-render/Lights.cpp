@@ -35,9 +35,9 @@ struct LightValues {
 /// The bit of AnyslShaderInfo::effects that says that a shader asks for shadow rays.
 constexpr uint32_t shadowsEffect = 1u << 10;
 
-/// Whether a light is one of the standard's: no shader of that name is on the scene's path, or only
-/// the one that comes with this program.
-bool isStandard(const std::string &name, const ShaderCache &cache) {
+} // namespace
+
+bool anysl::render::isStandardLight(const std::string &name, const ShaderCache &cache) {
   for (const auto &[standardName, source] : standardLights) {
     if (name != standardName)
       continue;
@@ -49,6 +49,8 @@ bool isStandard(const std::string &name, const ShaderCache &cache) {
   }
   return false;
 }
+
+namespace {
 
 LightValues readValues(const LightUse &light, Warnings &warnings) {
   LightValues values;
@@ -105,7 +107,7 @@ SceneLights::SceneLights(const SceneDescription &scene, const ShaderCache &cache
   standard.resize(scene.lights.size());
   for (uint32_t index : used) {
     const LightUse &light = scene.lights[index];
-    standard[index] = isStandard(light.name, cache);
+    standard[index] = isStandardLight(light.name, cache);
     if (standard[index])
       continue;
     if (!cache.find(light.name)) {
@@ -159,7 +161,7 @@ void SceneLights::addShader(const LightUse &use, const Shader &shader, LightSet 
   if (anysl_light_from_instance(shader.instance.get(), &light))
     throw UserError(use.where, anysl_last_error());
   // A shader that looks for shadows itself must not have them twice.
-  if (use.castsShadow && !(shader.info->effects & shadowsEffect))
+  if (use.castsShadow && !(shader.source.effects & shadowsEffect))
     light.flags |= ANYSL_LIGHT_CASTS_SHADOW;
   light.handle = use.handle.c_str();
   spread(use, light, set);

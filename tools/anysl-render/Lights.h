@@ -20,6 +20,10 @@ struct LightSet {
   uint64_t globals = 0;    ///< what those read of the surface
 };
 
+/// Whether a light is one of the standard's: no shader of that name is on the scene's path, or only
+/// the one that comes with this program.
+bool isStandardLight(const std::string &name, const ShaderCache &cache);
+
 /// The lights of a scene. ambientlight, distantlight, pointlight and spotlight are data, with the
 /// parameters of the RenderMan Interface's standard lights and __nondiffuse, __nonspecular and
 /// __category, unless the scene's shader path has other shaders of these names, or some shader asks

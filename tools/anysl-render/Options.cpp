@@ -30,6 +30,7 @@ Renders a RIB scene whose shaders are compiled by AnySL.
   --max-depth N     how often light is traced on
   --shaders DIR     look for shaders there first; may be repeated
   --cache DIR       compiled shaders (default: $XDG_CACHE_HOME/anysl, ~/.cache/anysl)
+  --no-specialise   link shaders for any scene, with effects that this one does not call for
   --keep-going      leave out what is missing or wrong in the scene, with a warning
   --watch           render again whenever the scene or a shader changes
   --accuracy-report FOLDER
@@ -124,6 +125,8 @@ Options anysl::render::parseOptions(int count, char **arguments) {
       options.statsFile = take();
     else if (option == "--watch")
       options.watch = true;
+    else if (option == "--no-specialise")
+      options.target.specialise = false;
     else if (option == "--keep-going")
       options.keepGoing = true;
     else if (option == "--stats")
@@ -145,6 +148,9 @@ Options anysl::render::parseOptions(int count, char **arguments) {
     return options;
   if (options.scene.empty())
     throw UserError("no scene; see anysl-render --help");
+  // These look at all that shaders compute, whatever the scene calls for.
+  if (options.target.checkNaN || !options.recordFile.empty() || !options.accuracyReport.empty())
+    options.target.specialise = false;
   unsigned width = options.target.width;
   if (options.target.runtime == "scalar") {
     if (widthGiven && width != 1)

@@ -26,7 +26,7 @@ constexpr uint32_t spacesService = 1u << 3;
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
     : description(given), camera(given.camera), spaces(given, camera), background(given),
-      textures(makePictures(given)), loader(*this, cache, layout, width, warnings),
+      textures(makePictures(given)), loader(*this, given, cache, layout, width, warnings),
       lights(given, cache, warnings) {
   loadShaders(cache, services, warnings);
   makeGroups(services, warnings);
@@ -110,7 +110,7 @@ const Shader *Scene::specialise(int index, const std::vector<Parameter> &constan
       made.use.parameters.push_back(constant);
     }
     try {
-      made.shader = loader.make(made.use, services);
+      made.shader = loader.make(made.use, services, &description.shaders[size_t(index)]);
       made.shader->outputs = base->outputs;
     } catch (const UserError &error) {
       warnings.warn(error.where, error.message);

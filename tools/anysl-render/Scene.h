@@ -63,6 +63,8 @@ public:
   uint32_t groupCount() const { return uint32_t(groups.size()); }
   /// The number format of all the shaders' batches.
   AnyslReal real() const { return loader.real(); }
+  /// How many libraries each shader has been linked to for this scene, by its name.
+  std::map<std::string, unsigned> linkedForScene() const { return loader.linkedForScene(); }
   /// What the shaders have noted so far, not while they run.
   void printNotes(std::FILE *file) const { loader.printNotes(file); }
 

@@ -7,6 +7,9 @@
 
 #include "tools/anysl-render/ShaderCache.h"
 
+#include "lib/Demand/Json.h"
+#include "lib/Rib/RibReader.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -22,6 +25,7 @@
 extern char **environ;
 
 namespace fs = std::filesystem;
+namespace demand = anysl::demand;
 using namespace anysl::render;
 
 namespace {
@@ -85,15 +89,22 @@ void addSource(const fs::path &path, ContentHash &hash, std::vector<fs::path> &s
   }
 }
 
-/// Runs a program and waits for it; its messages go where ours go. Returns its exit status, or -1
-/// if it did not start or was killed.
-int run(const std::vector<std::string> &command) {
+/// Runs a program and waits for it; its messages go where ours go, and what it prints to a file if
+/// there is one. Returns its exit status, or -1 if it did not start or was killed.
+int runProgram(const std::vector<std::string> &command, const fs::path &output) {
   std::vector<char *> arguments;
   for (const std::string &word : command)
     arguments.push_back(const_cast<char *>(word.c_str()));
   arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  if (!output.empty())
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0666);
   pid_t child;
-  if (posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
+  int failed = posix_spawn(&child, arguments[0], &files, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (failed)
     return -1;
   int status;
   while (waitpid(child, &status, 0) < 0)
@@ -101,6 +112,15 @@ int run(const std::vector<std::string> &command) {
       return -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
+
+/// A file that goes when its maker is done with it, unless it has been moved away.
+struct Temporary {
+  fs::path path;
+  ~Temporary() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
 
 } // namespace
 
@@ -111,7 +131,8 @@ fs::path anysl::render::programFolder() {
 }
 
 ShaderCache::ShaderCache(fs::path given, ShaderTarget target)
-    : folder(std::move(given)), tools(programFolder()), target(std::move(target)) {
+    : folder(std::move(given)), tools(programFolder()), target(std::move(target)),
+      toolsUsed(toolKey()) {
   if (!folder.empty())
     return;
   if (const char *cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
@@ -148,6 +169,7 @@ std::string ShaderCache::toolKey() const {
   };
   addFile(tools / "rslc");
   addFile(tools / "anysl-link");
+  addFile(tools / "anysl-info");
   std::error_code error;
   std::set<fs::path> runtimes;
   for (fs::recursive_directory_iterator file(tools.parent_path() / "lib" / "anysl", error), end;
@@ -168,8 +190,18 @@ std::vector<fs::path> ShaderCache::sources() const {
   return used;
 }
 
-fs::path ShaderCache::library(const std::string &name, const Location &where,
-                              ShaderExtras extras) const {
+struct ShaderCache::Source {
+  std::string name; ///< as the scene has it
+  const Location &where;
+  fs::path file;
+  ContentHash key; ///< of all that it is made of, and of the tools
+  std::string stem() const {
+    std::string name = file.filename().string();
+    return name.substr(0, name.find('.'));
+  }
+};
+
+ShaderCache::Source ShaderCache::lookUp(const std::string &name, const Location &where) const {
   std::optional<fs::path> found = find(name);
   if (!found) {
     std::string searched;
@@ -181,84 +213,120 @@ fs::path ShaderCache::library(const std::string &name, const Location &where,
     throw UserError(where, "shader \"" + name + "\" is not found: no " + name +
                                ".so, .stc.bc or .sl in " + searched);
   }
-  fs::path source = *found;
-  ContentHash hash;
+  Source source{name, where, *found, {}};
   std::vector<fs::path> sources;
-  if (source.extension() == ".so")
-    sources = {source};
+  if (source.file.extension() == ".so")
+    sources = {source.file};
   else
-    addSource(source, hash, sources);
-  {
-    std::lock_guard guard(lock);
-    used.insert(used.end(), sources.begin(), sources.end());
-  }
-  if (source.extension() == ".so")
-    return source;
-  for (const std::string &word : {toolKey(), target.runtime, target.real, target.math})
-    hash.add(word);
-  for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop,
-                          unsigned(extras.rayDerivatives), unsigned(extras.tangents)})
-    hash.addNumber(number);
-  std::string stem = source.filename().string();
-  stem = stem.substr(0, stem.find('.'));
-  fs::path result = folder / (stem + "-" + hash.text() + ".so");
+    addSource(source.file, source.key, sources);
+  source.key.add(toolsUsed);
+  std::lock_guard guard(lock);
+  used.insert(used.end(), sources.begin(), sources.end());
+  return source;
+}
+
+void ShaderCache::run(const Source &source, std::vector<std::string> command,
+                      const fs::path &output) const {
+  const std::string program = command[0];
+  command[0] = (tools / program).string();
+  if (access(command[0].c_str(), X_OK) != 0)
+    throw UserError(source.where, "shader \"" + source.name + "\" has to be compiled, but '" +
+                                      command[0] + "' is not there");
+  if (int status = runProgram(command, output); status != 0)
+    throw UserError(
+        source.where,
+        "shader \"" + source.name + "\" (" + source.file.string() +
+            ") does not compile: " + program +
+            (status < 0 ? " was stopped" : " failed with status " + std::to_string(status)));
+}
+
+/// A file of the cache, written if it is not there.
+fs::path ShaderCache::make(const Source &source, const std::string &name,
+                           const std::function<void(const fs::path &)> &write) const {
+  fs::path result = folder / (source.stem() + "-" + name);
   std::error_code error;
   if (fs::is_regular_file(result, error))
     return result;
-
   fs::create_directories(folder, error);
   if (error)
     throw UserError("cannot make the cache folder '" + folder.string() + "': " + error.message());
-  std::string base =
-      (folder / ("." + stem + "-" + hash.text() + "." + std::to_string(getpid()))).string();
-  struct Temporary {
-    fs::path path;
-    ~Temporary() {
-      std::error_code ignored;
-      fs::remove(path, ignored);
-    }
-  } stc{base + ".stc.bc"}, library{base + ".so"};
-  auto step = [&](std::vector<std::string> command) {
-    if (access(command[0].c_str(), X_OK) != 0)
-      throw UserError(where, "shader \"" + name + "\" has to be compiled, but '" + command[0] +
-                                 "' is not there");
-    if (int status = run(command); status != 0)
-      throw UserError(where, "shader \"" + name + "\" (" + source.string() +
-                                 ") does not compile: " + fs::path(command[0]).filename().string() +
-                                 (status < 0 ? " was stopped"
-                                             : " failed with status " + std::to_string(status)));
-  };
-  ++compiled;
-  fs::path linked = source;
-  if (source.extension() == ".sl") {
-    step({(tools / "rslc").string(), source.string(), "-o", stc.path.string()});
-    linked = stc.path;
-  }
-  std::vector<std::string> link = {(tools / "anysl-link").string(),
-                                   linked.string(),
-                                   "-o",
-                                   library.path.string(),
-                                   "--runtime",
-                                   target.runtime,
-                                   "--real",
-                                   target.real,
-                                   "--mcpu",
-                                   "native",
-                                   "--width",
-                                   target.width > 1 ? "1," + std::to_string(target.width) : "1"};
-  if (!target.math.empty())
-    link.insert(link.end(), {"--math", target.math});
-  if (target.checkNaN)
-    link.push_back("--check-nan");
-  if (extras.rayDerivatives)
-    link.push_back("--ray-derivatives");
-  if (extras.tangents)
-    link.push_back("--tangents");
-  if (target.maxLoop)
-    link.insert(link.end(), {"--max-loop", std::to_string(target.maxLoop)});
-  step(std::move(link));
-  fs::rename(library.path, result, error);
+  static std::atomic<unsigned> serial = 0;
+  // The suffix stays, since it says what is to be written.
+  Temporary temporary{folder / ("." + std::to_string(getpid()) + "-" + std::to_string(++serial) +
+                                "-" + result.filename().string())};
+  write(temporary.path);
+  fs::rename(temporary.path, result, error);
   if (error)
     throw UserError("cannot write '" + result.string() + "': " + error.message());
   return result;
+}
+
+fs::path ShaderCache::threadedCode(const Source &source) const {
+  if (source.file.extension() != ".sl")
+    return source.file;
+  return make(source, source.key.text() + ".stc.bc", [&](const fs::path &path) {
+    ++compiled;
+    run(source, {"rslc", source.file.string(), "-o", path.string()});
+  });
+}
+
+ShaderAsking ShaderCache::asking(const std::string &name, const Location &where) const {
+  Source source = lookUp(name, where);
+  if (source.file.extension() == ".so")
+    return {};
+  fs::path file = make(source, source.key.text() + ".json", [&](const fs::path &path) {
+    run(source, {"anysl-info", "--json", threadedCode(source).string()}, path);
+  });
+  ShaderAsking result;
+  const demand::Json described = demand::parseJson(loadSourceFile(file.string()));
+  for (const demand::Json::Member &member : described.members) {
+    if (member.key == "traces_for_others")
+      result.tracesForOthers = member.value.truth;
+    if (member.key != "asked" || member.value.kind != demand::Json::Array)
+      continue;
+    result.names.emplace();
+    for (const demand::Json &item : member.value.items)
+      result.names->push_back(item.text);
+  }
+  return result;
+}
+
+fs::path ShaderCache::library(const std::string &name, const Location &where,
+                              const ShaderVariant &variant) const {
+  Source source = lookUp(name, where);
+  if (source.file.extension() == ".so")
+    return source.file;
+  ContentHash key = source.key;
+  for (const std::string &word : {target.runtime, target.real, target.math, variant.manifest})
+    key.add(word);
+  for (unsigned number :
+       {target.width, unsigned(target.checkNaN), target.maxLoop, unsigned(variant.rayDerivatives), unsigned(variant.tangents)})
+    key.addNumber(number);
+  return make(source, key.text() + ".so", [&](const fs::path &path) {
+    fs::path threaded = threadedCode(source);
+    ++compiled;
+    std::vector<std::string> link = {
+        "anysl-link", threaded.string(),
+        "-o",         path.string(),
+        "--runtime",  target.runtime,
+        "--real",     target.real,
+        "--mcpu",     "native",
+        "--width",    target.width > 1 ? "1," + std::to_string(target.width) : "1"};
+    if (!target.math.empty())
+      link.insert(link.end(), {"--math", target.math});
+    if (target.checkNaN)
+      link.push_back("--check-nan");
+    if (variant.rayDerivatives)
+      link.push_back("--ray-derivatives");
+    if (variant.tangents)
+      link.push_back("--tangents");
+    if (target.maxLoop)
+      link.insert(link.end(), {"--max-loop", std::to_string(target.maxLoop)});
+    Temporary manifest{path.string() + ".json"};
+    if (!variant.manifest.empty()) {
+      std::ofstream(manifest.path) << variant.manifest;
+      link.insert(link.end(), {"--scene", manifest.path.string()});
+    }
+    run(source, std::move(link));
+  });
 }

@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -23,20 +24,30 @@ struct ShaderTarget {
   std::string runtime = "packet", real = "float";
   std::string math; ///< empty: the linker's default
   unsigned width = 8;
-  bool checkNaN = false; ///< they note where a number stops being finite
-  unsigned maxLoop = 0;  ///< rounds after which loops are left; 0: no limit
+  bool checkNaN = false;  ///< they note where a number stops being finite
+  unsigned maxLoop = 0;   ///< rounds after which loops are left; 0: no limit
+  bool specialise = true; ///< they are linked for the scene; false: for any
 };
 
-/// What a shader is asked to compute besides its results.
-struct ShaderExtras {
+/// What a shader is linked for besides the target.
+struct ShaderVariant {
+  std::string manifest;        ///< of what the scene calls for (docs/effects.md); empty: anything
   bool rayDerivatives = false; ///< the rays that it traces carry theirs
   bool tangents = false;       ///< a displacement shader says how P changes
+};
+
+/// What a scene has to know of one of its shaders before any is linked for it.
+struct ShaderAsking {
+  /// Names of parameters that it may ask other shaders for, or set; nothing: any.
+  std::optional<std::vector<std::string>> names;
+  /// Whether it runs for other shaders' points and traces rays there.
+  bool tracesForOthers = true;
 };
 
 /// Finds a shader's file by its name and makes a shader library of it. NAME.so is taken as it is;
 /// NAME.stc.bc is linked, NAME.sl compiled and linked, by the programs that lie beside this one,
 /// unless the cache folder has the result of the same inputs: source with all it includes, target,
-/// processor, and the tools themselves with their runtimes.
+/// what it is linked for, processor, and the tools themselves with their runtimes.
 ///
 /// Files appear in the folder under their final name only when complete, so any number of renderers
 /// may share it.
@@ -49,9 +60,15 @@ public:
   std::vector<std::filesystem::path> searchPath;
 
   /// The shader's library. Throws UserError, naming the place that asks for the shader, if there is
-  /// none or it does not compile. Several threads may call this for different shaders.
+  /// none or it does not compile. Several threads may call this.
   std::filesystem::path library(const std::string &name, const Location &where,
-                                ShaderExtras extras = {}) const;
+                                const ShaderVariant &variant = {}) const;
+
+  /// What a shader asks of others; of a library nobody knows. Throws as library() does.
+  ShaderAsking asking(const std::string &name, const Location &where) const;
+
+  /// Whether shaders are to be linked for their scene.
+  bool specialises() const { return target.specialise; }
 
   /// A shader's file, if there is one.
   std::optional<std::filesystem::path> find(const std::string &name) const;
@@ -62,10 +79,18 @@ public:
   unsigned compilations() const { return compiled; }
 
 private:
+  struct Source;
   std::string toolKey() const;
+  Source lookUp(const std::string &name, const Location &where) const;
+  std::filesystem::path threadedCode(const Source &source) const;
+  std::filesystem::path make(const Source &source, const std::string &name,
+                             const std::function<void(const std::filesystem::path &)> &write) const;
+  void run(const Source &source, std::vector<std::string> command,
+           const std::filesystem::path &output = {}) const;
 
   std::filesystem::path folder, tools;
   ShaderTarget target;
+  std::string toolsUsed; ///< what they are, as a key
   mutable std::atomic<unsigned> compiled = 0;
   mutable std::mutex lock;
   mutable std::vector<std::filesystem::path> used;

@@ -121,45 +121,45 @@ bool traces(const AnyslLibraryInfo &library) {
 } // namespace
 
 void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
-  std::map<std::string, Wanted> names;
-  for (const ShaderUse *use : uses)
-    if (!libraries.contains(use->name)) {
-      Wanted &wanted = names.emplace(use->name, Wanted{&use->where, {}}).first->second;
-      wanted.extras.tangents |= use->kind == ShaderKind::Displacement;
-    }
-  openAll(names);
+  std::vector<const ShaderUse *> added;
+  std::copy_if(uses.begin(), uses.end(), std::back_inserter(added),
+               [&](const ShaderUse *use) { return !libraryOf.contains(use); });
+  const size_t before = libraries.size();
+  openAll(variants.plan(added, warnings));
   // What is seen in mirrors is filtered as wide as the rays there say, which has its price.
-  bool filtered = std::any_of(libraries.begin(), libraries.end(), [](const auto &library) {
-    return wantsFootprints(*anysl_library_info(library.second.get()));
-  });
-  std::erase_if(names, [&](const auto &name) {
-    auto opened = libraries.find(name.first);
-    return !filtered || opened == libraries.end() ||
-           !traces(*anysl_library_info(opened->second.get()));
-  });
-  for (auto &[name, wanted] : names)
-    wanted.extras.rayDerivatives = true;
-  openAll(names);
-  for (const auto &[name, library] : libraries)
-    if (logged.insert(name).second)
-      if (AnyslNoteLog *log = anysl_note_log_create(library.get()))
-        notes.emplace_back(log);
+  auto infoOf = [](const auto &opened) -> const AnyslLibraryInfo & {
+    return *anysl_library_info(opened->library.get());
+  };
+  bool filtered = std::any_of(libraries.begin(), libraries.end(),
+                              [&](const auto &opened) { return wantsFootprints(infoOf(opened)); });
+  std::vector<WantedLibrary> again;
+  for (size_t i = libraries.size(); filtered && i-- > before;)
+    if (traces(infoOf(libraries[i]))) {
+      for (const ShaderUse *use : libraries[i]->wanted.uses)
+        libraryOf.erase(use);
+      again.push_back(std::move(libraries[i]->wanted));
+      again.back().variant.rayDerivatives = true;
+      libraries.erase(libraries.begin() + ptrdiff_t(i));
+    }
+  openAll(std::move(again));
+  for (; logged < libraries.size(); ++logged)
+    if (AnyslNoteLog *log = anysl_note_log_create(libraries[logged]->library.get()))
+      notes.emplace_back(log);
 }
 
-void ShaderLoader::openAll(const std::map<std::string, Wanted> &names) {
+void ShaderLoader::openAll(std::vector<WantedLibrary> wanted) {
   struct Job {
-    std::string name;
-    const Location *where;
-    ShaderExtras extras;
+    WantedLibrary wanted;
     std::filesystem::path library;
     std::exception_ptr error;
   };
   std::vector<Job> jobs;
-  for (const auto &[name, wanted] : names)
-    jobs.push_back({name, wanted.where, wanted.extras, {}, nullptr});
+  for (WantedLibrary &library : wanted)
+    jobs.push_back({std::move(library), {}, nullptr});
   tbb::parallel_for(size_t(0), jobs.size(), [&](size_t i) {
     try {
-      jobs[i].library = cache.library(jobs[i].name, *jobs[i].where, jobs[i].extras);
+      const WantedLibrary &its = jobs[i].wanted;
+      jobs[i].library = cache.library(its.name, its.uses[0]->where, its.variant);
     } catch (...) {
       jobs[i].error = std::current_exception();
     }
@@ -172,18 +172,31 @@ void ShaderLoader::openAll(const std::map<std::string, Wanted> &names) {
       warnings.fail(error.where, error.message);
       continue;
     }
+    const Location &where = job.wanted.uses[0]->where;
     AnyslLibrary *library = nullptr;
     if (anysl_library_open(std::filesystem::absolute(job.library).c_str(), 0, &library))
-      throw UserError(*job.where, anysl_last_error());
-    libraries[job.name].reset(library);
+      throw UserError(where, anysl_last_error());
+    Opened &opened = *libraries.emplace_back(std::make_unique<Opened>());
+    opened.library.reset(library);
     const AnyslLibraryInfo &info = *anysl_library_info(library);
     if (info.layout != uint32_t(layout))
-      throw UserError(*job.where, job.library.string() + " is made for runtime \"" + info.runtime +
-                                      "\", whose arrays are laid out differently");
+      throw UserError(where, job.library.string() + " is made for runtime \"" + info.runtime +
+                                 "\", whose arrays are laid out differently");
     if (libraries.size() > 1 && info.real != uint32_t(format))
-      throw UserError(*job.where, "the scene's shaders compute in both float and double");
+      throw UserError(where, "the scene's shaders compute in both float and double");
     format = AnyslReal(info.real);
+    opened.wanted = std::move(job.wanted);
+    for (const ShaderUse *use : opened.wanted.uses)
+      libraryOf[use] = &opened;
   }
+}
+
+std::map<std::string, unsigned> ShaderLoader::linkedForScene() const {
+  std::map<std::string, unsigned> result;
+  for (const auto &opened : libraries)
+    if (anysl_library_demand(opened->library.get()))
+      ++result[opened->wanted.name];
+  return result;
 }
 
 void ShaderLoader::printNotes(std::FILE *file) const {
@@ -191,11 +204,12 @@ void ShaderLoader::printNotes(std::FILE *file) const {
     shade::printNotes(log.get(), file);
 }
 
-std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServices &services) {
-  auto opened = libraries.find(use.name);
-  if (opened == libraries.end())
+std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServices &services,
+                                           const ShaderUse *opened) {
+  auto found = libraryOf.find(opened ? opened : &use);
+  if (found == libraryOf.end())
     return nullptr;
-  AnyslLibrary *library = opened->second.get();
+  AnyslLibrary *library = found->second->library.get();
   const AnyslShaderInfo *info = findShader(library, use);
   auto shader = std::make_unique<Shader>();
   shader->scene = &scene;
@@ -215,14 +229,14 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
     shader->width = anysl_shader_widest(info);
   }
   uint64_t read = info->globals_read, written = info->globals_written;
-  shader->effects = info->effects;
+  shader->source = anysl_library_source(library, info);
   // A co-shader's methods are shaders of their own, which find the globals of who calls them.
   const AnyslLibraryInfo &file = *anysl_library_info(library);
   for (uint32_t i = 0; use.kind == ShaderKind::Any && i < file.shader_count; ++i)
     if (file.shaders[i].kind == ANYSL_METHOD) {
       read |= file.shaders[i].globals_read;
       written |= file.shaders[i].globals_written;
-      shader->effects |= file.shaders[i].effects;
+      shader->source.effects |= anysl_library_source(library, &file.shaders[i]).effects;
     }
   shader->needed = neededFor(read);
   shader->globals = read | written;

@@ -9,10 +9,10 @@
 #define ANYSL_RENDER_SHADERS_H
 
 #include "lib/Shade/Handles.h"
-#include "tools/anysl-render/ShaderCache.h"
 #include "tools/anysl-render/Spaces.h"
+#include "tools/anysl-render/Variants.h"
 
-#include <anysl/anysl.h>
+#include <anysl/demand.h>
 
 #include <set>
 #include <span>
@@ -37,7 +37,9 @@ struct Shader {
   uint32_t width = 1;
   uint64_t globals = 0; ///< all that it reads or writes, as bits 1 << ANYSL_P ...
   uint64_t needed = 0;  ///< those that it reads
-  uint32_t effects = 0; ///< as AnyslShaderInfo has them, with those of a co-shader's methods
+  /// What its source has, whatever the scene calls for; effects with those of a co-shader's
+  /// methods.
+  AnyslSourceInfo source = {};
 
   /// An output parameter that is wanted for a picture.
   struct Output {
@@ -50,7 +52,7 @@ struct Shader {
   bool asksByName() const { return (info->services >> 7 & 1) != 0; }
   /// Whether it asks lights for parameters or sends them values: effect number 18 of
   /// lib/STC/Effects.def.
-  bool asksLights() const { return (effects >> 18 & 1) != 0; }
+  bool asksLights() const { return (source.effects >> 18 & 1) != 0; }
   /// Whether it calls other shaders: service number 6.
   bool callsOthers() const { return (info->services >> 6 & 1) != 0; }
 };
@@ -65,9 +67,10 @@ bool fits(ValueType declared, uint32_t wanted);
 class ShaderLoader {
 public:
   /// The layout and width are what the host can work with.
-  ShaderLoader(const Scene &scene, const ShaderCache &cache, AnyslLayout layout, unsigned width,
-               Warnings &warnings)
-      : scene(scene), cache(cache), layout(layout), width(width), warnings(warnings) {}
+  ShaderLoader(const Scene &scene, const SceneDescription &description, const ShaderCache &cache,
+               AnyslLayout layout, unsigned width, Warnings &warnings)
+      : scene(scene), cache(cache), variants(description, cache), layout(layout), width(width),
+        warnings(warnings) {}
 
   /// Finds and compiles what the shaders need, in parallel, and opens it. Throws UserError where
   /// one is missing, does not compile or does not fit the host.
@@ -75,8 +78,12 @@ public:
   /// A shader whose library is open, with the values that the request gives its parameters; null
   /// where the user wants to go on without it. Throws
   /// UserError where it is of another kind or a value does not fit. `use` and `services` must
-  /// outlive it.
-  std::unique_ptr<Shader> make(const ShaderUse &use, const AnyslServices &services);
+  /// outlive it. `opened`: the use that it was opened for, if not this one.
+  std::unique_ptr<Shader> make(const ShaderUse &use, const AnyslServices &services,
+                               const ShaderUse *opened = nullptr);
+
+  /// How many libraries each shader has been linked to for this scene, by its name.
+  std::map<std::string, unsigned> linkedForScene() const;
 
   /// Prints what shaders that were linked for it have noted, each place once.
   void printNotes(std::FILE *file) const;
@@ -88,22 +95,24 @@ private:
   struct Close {
     void operator()(AnyslLibrary *library) const { anysl_library_close(library); }
   };
-  struct Wanted {
-    const Location *where;
-    ShaderExtras extras;
+  struct Opened {
+    WantedLibrary wanted;
+    std::unique_ptr<AnyslLibrary, Close> library;
   };
-  void openAll(const std::map<std::string, Wanted> &names);
+  void openAll(std::vector<WantedLibrary> wanted);
   void setParameters(Shader &shader);
 
   const Scene &scene;
   const ShaderCache &cache;
+  Variants variants;
   AnyslLayout layout;
   unsigned width;
   Warnings &warnings;
   AnyslReal format = ANYSL_REAL_FLOAT;
-  std::map<std::string, std::unique_ptr<AnyslLibrary, Close>> libraries; ///< by the shader's name
+  std::vector<std::unique_ptr<Opened>> libraries;
+  std::map<const ShaderUse *, Opened *> libraryOf;
   std::vector<shade::NoteLogHandle> notes; ///< of libraries that note something
-  std::set<std::string> logged;            ///< the names of those that have been asked for a log
+  size_t logged = 0;                       ///< how many have been asked for a log
 };
 
 } // namespace anysl::render

@@ -5,6 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Demand/Json.h"
 #include "lib/Rib/RibReader.h"
 #include "lib/Shade/Options.h"
 #include "lib/Shade/Progress.h"
@@ -20,6 +21,7 @@
 
 #include <cstdio>
 
+namespace demand = anysl::demand;
 namespace fs = std::filesystem;
 namespace shade = anysl::shade;
 using namespace anysl::render;
@@ -59,9 +61,17 @@ std::vector<fs::path> shaderPath(const Options &options, const SceneDescription 
   return result;
 }
 
-void writeStats(const Options &options, const SceneDescription &scene, const RenderResult &result,
+void writeStats(const Options &options, const Scene &rendered, const RenderResult &result,
                 double setupSeconds, unsigned threads) {
+  const SceneDescription &scene = rendered.description;
   const RenderCounts &counts = result.counts;
+  std::string linked, linkedJson; // for this scene, with the number of variants
+  for (const auto &[name, variants] : rendered.linkedForScene()) {
+    linked += (linked.empty() ? "" : ", ") + name +
+              (variants > 1 ? " (" + std::to_string(variants) + " variants)" : "");
+    linkedJson +=
+        (linkedJson.empty() ? "" : ", ") + demand::quoted(name) + ": " + std::to_string(variants);
+  }
   if (options.stats) {
     std::fprintf(stderr,
                  "  set-up    %8.3f s\n  rendering %8.3f s on %u threads\n"
@@ -73,24 +83,26 @@ void writeStats(const Options &options, const SceneDescription &scene, const Ren
                  (unsigned long long)counts.cameraRays, (unsigned long long)counts.traceRays,
                  (unsigned long long)counts.shadowRays, (unsigned long long)counts.points,
                  counts.batches ? double(counts.points) / double(counts.batches) : 0.0);
+    std::fprintf(stderr, "  linked for this scene: %s\n", linked.empty() ? "none" : linked.c_str());
   }
   if (options.statsFile.empty())
     return;
   FILE *file = options.statsFile == "-" ? stdout : std::fopen(options.statsFile.c_str(), "w");
   if (!file)
     throw UserError("cannot write '" + options.statsFile + "'");
-  std::fprintf(
-      file,
-      "{\"runtime\": \"%s\", \"real\": \"%s\", \"width\": %u, \"threads\": %u, "
-      "\"size\": [%d, %d], \"samples\": %d, \"setup_seconds\": %.6f, \"seconds\": %.6f, "
-      "\"shading_seconds\": %.6f, \"camera_rays\": %llu, \"trace_rays\": %llu, "
-      "\"shadow_rays\": %llu, \"points\": %llu, \"batches\": %llu, \"bad_pixels\": %llu}\n",
-      options.target.runtime.c_str(), options.target.real.c_str(), options.target.width, threads,
-      scene.camera.width, scene.camera.height, scene.samplesX * scene.samplesY, setupSeconds,
-      result.seconds, result.shadingSeconds, (unsigned long long)counts.cameraRays,
-      (unsigned long long)counts.traceRays, (unsigned long long)counts.shadowRays,
-      (unsigned long long)counts.points, (unsigned long long)counts.batches,
-      (unsigned long long)result.film.badPixels);
+  std::fprintf(file,
+               "{\"runtime\": \"%s\", \"real\": \"%s\", \"width\": %u, \"threads\": %u, "
+               "\"size\": [%d, %d], \"samples\": %d, \"setup_seconds\": %.6f, \"seconds\": %.6f, "
+               "\"shading_seconds\": %.6f, \"camera_rays\": %llu, \"trace_rays\": %llu, "
+               "\"shadow_rays\": %llu, \"points\": %llu, \"batches\": %llu, \"bad_pixels\": %llu, "
+               "\"linked_for_scene\": {%s}}\n",
+               options.target.runtime.c_str(), options.target.real.c_str(), options.target.width,
+               threads, scene.camera.width, scene.camera.height, scene.samplesX * scene.samplesY,
+               setupSeconds, result.seconds, result.shadingSeconds,
+               (unsigned long long)counts.cameraRays, (unsigned long long)counts.traceRays,
+               (unsigned long long)counts.shadowRays, (unsigned long long)counts.points,
+               (unsigned long long)counts.batches, (unsigned long long)result.film.badPixels,
+               linkedJson.c_str());
   if (file != stdout && std::fclose(file) != 0)
     throw UserError("cannot write '" + options.statsFile + "'");
 }
@@ -167,7 +179,7 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
                  scene.camera.width, scene.camera.height, options.target.runtime.c_str(),
                  options.target.real.c_str(), options.target.width, result.seconds,
                  cache.compilations() ? ", shaders compiled before" : "");
-  writeStats(options, scene, result, setup, threads);
+  writeStats(options, host->scene(), result, setup, threads);
   return true;
 }
 

@@ -1,0 +1,118 @@
+//===-- tools/anysl-render/Variants.cpp - what shaders are linked for
+//---------------------------===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#include "tools/anysl-render/Variants.h"
+
+#include "tools/anysl-render/Lights.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace demand = anysl::demand;
+using namespace anysl::render;
+
+namespace {
+
+bool anyDisplaces(const std::vector<const ShaderUse *> &uses) {
+  return std::any_of(uses.begin(), uses.end(), [](const ShaderUse *use) {
+    return use->kind == ShaderKind::Displacement;
+  });
+}
+
+} // namespace
+
+demand::Demand Variants::common() const {
+  demand::Demand result = demand::demandOf(scene);
+  // Another light of a standard one's name may do anything.
+  for (std::string &light : *result.lights)
+    if (cache.find(light) && !isStandardLight(light, cache))
+      light += " of the scene's own";
+  std::set<std::string> names;
+  bool known = true;
+  result.othersTrace = false;
+  for (const auto &[name, its] : asking) {
+    known &= its.names.has_value();
+    if (its.names)
+      names.insert(its.names->begin(), its.names->end());
+    *result.othersTrace |= its.tracesForOthers;
+  }
+  if (known)
+    result.asked.emplace(names.begin(), names.end());
+  return result;
+}
+
+std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses,
+                                          Warnings &warnings) {
+  std::map<std::string, std::vector<const ShaderUse *>> byName;
+  for (const ShaderUse *use : uses)
+    byName[use->name].push_back(use);
+  std::vector<WantedLibrary> result;
+  if (!cache.specialises()) {
+    for (auto &[name, its] : byName) {
+      ShaderVariant variant;
+      variant.tangents = anyDisplaces(its);
+      result.push_back({name, variant, std::move(its)});
+    }
+    return result;
+  }
+
+  struct Job {
+    const std::string *name;
+    ShaderAsking asking;
+    std::exception_ptr error;
+  };
+  std::vector<Job> jobs;
+  for (const auto &[name, its] : byName)
+    if (!asking.contains(name))
+      jobs.push_back({&name, {}, nullptr});
+  tbb::parallel_for(size_t(0), jobs.size(), [&](size_t i) {
+    try {
+      jobs[i].asking = cache.asking(*jobs[i].name, byName.at(*jobs[i].name).front()->where);
+    } catch (...) {
+      jobs[i].error = std::current_exception();
+    }
+  });
+  for (Job &job : jobs)
+    try {
+      if (job.error)
+        std::rethrow_exception(job.error);
+      asking[*job.name] = std::move(job.asking);
+    } catch (const UserError &error) {
+      warnings.fail(error.where, error.message);
+      byName.erase(*job.name);
+    }
+
+  const demand::Demand common = this->common();
+  const std::set<std::string> variables = demand::variablesOf(scene);
+  for (const auto &[name, its] : byName) {
+    // A co-shader's parameters are set and read by whoever calls it.
+    std::vector<const ShaderUse *> called, stated;
+    for (const ShaderUse *use : its)
+      (use->kind == ShaderKind::Any ? called : stated).push_back(use);
+    auto add = [&](const demand::Demand &demand, const std::vector<const ShaderUse *> &group) {
+      std::string manifest = demand::writeManifest(demand, /*places=*/false);
+      auto same = std::find_if(result.begin(), result.end(), [&](const WantedLibrary &other) {
+        return other.name == name && other.variant.manifest == manifest;
+      });
+      if (same == result.end())
+        same = result.insert(result.end(), {name, {manifest}, {}});
+      same->variant.tangents |= anyDisplaces(group);
+      same->uses.insert(same->uses.end(), group.begin(), group.end());
+    };
+    if (!called.empty())
+      add(common, called);
+    for (const auto &group : demand::alikeUses(stated, mostOfOne - !called.empty())) {
+      demand::Demand demand = common;
+      demand::addShader(demand, variables, group);
+      add(demand, group);
+    }
+  }
+  return result;
+}

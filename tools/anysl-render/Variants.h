@@ -1,0 +1,47 @@
+//===-- tools/anysl-render/Variants.h - what shaders are linked for -----------------------*- C++
+//-*---===//
+//
+// Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===------------------------------------------------------------------------------------------===//
+
+#ifndef ANYSL_RENDER_VARIANTS_H
+#define ANYSL_RENDER_VARIANTS_H
+
+#include "lib/Demand/Demand.h"
+#include "tools/anysl-render/ShaderCache.h"
+
+namespace anysl::render {
+
+/// A library that a scene wants: a shader, linked for some of its uses.
+struct WantedLibrary {
+  std::string name;
+  ShaderVariant variant;
+  std::vector<const ShaderUse *> uses;
+};
+
+/// Says for what a scene's shaders are linked: uses that switch the same effects off share a
+/// library, and a shader has four at most, the last of which then serves all other uses.
+class Variants {
+public:
+  static constexpr size_t mostOfOne = 4;
+
+  Variants(const SceneDescription &scene, const ShaderCache &cache) : scene(scene), cache(cache) {}
+
+  /// The libraries of these uses. Shaders that are missing or do not compile have none, with a
+  /// warning, or throw UserError. What earlier uses ask for counts as well.
+  std::vector<WantedLibrary> plan(std::span<const ShaderUse *const> uses, Warnings &warnings);
+
+  /// What the scene calls for, without its shaders' parameters.
+  demand::Demand common() const;
+
+private:
+  const SceneDescription &scene;
+  const ShaderCache &cache;
+  std::map<std::string, ShaderAsking> asking; ///< by the shader's name
+};
+
+} // namespace anysl::render
+
+#endif
