@@ -64,12 +64,15 @@ inline void askForTextures(ANYSL_TEXTURE_PARAMETERS, uint32_t width, uint32_t ma
   while (mask) {
     uint32_t lead = uint32_t(__builtin_ctz(mask)), group = 0;
     for (uint32_t i = lead; i < width; ++i) {
+      // Of points that do not ask the texts are none.
+      if (!(mask >> i & 1))
+        continue;
       bool same = channel[i] == channel[lead] && fill[i] == fill[lead] && bias[i] == bias[lead] &&
                   samples[i] == samples[lead] && sameText(name[i], name[lead]) &&
                   sameText(filter[i], filter[lead]) && sameText(swrap[i], swrap[lead]) &&
                   sameText(twrap[i], twrap[lead]);
       // The lead goes with itself even where NaN is not equal to itself.
-      group |= uint32_t(mask >> i & 1 && (same || i == lead)) << i;
+      group |= uint32_t(same || i == lead) << i;
     }
     mask &= ~group;
     auto text = [](const char *t) { return t ? t : ""; };
