@@ -47,6 +47,9 @@ struct LinkOptions {
   bool plainOperators = false;
   /// What the scene calls for that the shaders are linked for; null: any scene.
   const demand::Demand *scene = nullptr;
+  /// Bits 1 << effect of Effects.def: effects that are left out although shaders have them, so that
+  /// their cost can be measured. Results are 0.
+  uint32_t withoutEffects = 0;
   /// Note where a number stops being finite (<anysl/notes.h>).
   bool checkNaN = false;
   /// Leave every loop after so many rounds, and note that; 0: loops run as long as they do.

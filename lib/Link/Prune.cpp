@@ -19,6 +19,7 @@
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/IR/CFG.h"
 #include "llvm/IR/Constants.h"
+#include "llvm/IR/Dominators.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/Transforms/Utils/BasicBlockUtils.h"
 #include "llvm/Transforms/Utils/Local.h"
@@ -65,11 +66,39 @@ public:
   }
 
 private:
-  void note(const CallInst &call, bool isKept, const Twine &why) {
+  /// Notes a call for its own effect and for those that its operator leads to in the libraries.
+  void note(const CallInst &call, bool isKept, const Twine &why,
+            const std::set<std::string> &outputs = {}) {
     const stc::OpInfo *op = opOf(call);
-    if (op && op->effect != stc::Effect::Core)
-      shader.report.effectUses.push_back({stc::nameOf(op->effect).str(), op->name.str(),
-                                          stc::positionOf(call), isKept, why.str()});
+    if (!op || op->purity == stc::Purity::Structural)
+      return;
+    auto [through, isNew] = throughOps.try_emplace(op->op);
+    if (isNew)
+      through->second = {effectsThrough(session, *call.getCalledFunction(), false),
+                         effectsThrough(session, *call.getCalledFunction(), true)};
+    for (unsigned effect = 1; effect < 32; ++effect) {
+      bool isOwn = effect == unsigned(op->effect);
+      if (!isOwn && !(through->second.all >> effect & 1))
+        continue;
+      bool isNeeded = isOwn || (through->second.needed >> effect & 1);
+      shader.report.effectUses.push_back({stc::nameOf(stc::Effect(effect)).str(),
+                                          op->name.str(),
+                                          stc::positionOf(call),
+                                          isKept && isNeeded,
+                                          isKept && !isNeeded ? absenceOf(effect) : why.str(),
+                                          {}});
+      if (isKept && isNeeded)
+        shader.report.effectUses.back().outputs.assign(outputs.begin(), outputs.end());
+    }
+  }
+
+  /// Why the scene does without an effect.
+  std::string absenceOf(unsigned effect) const {
+    for (const stc::OpInfo &op : stc::allOps())
+      if (unsigned(op.effect) == effect)
+        if (auto why = unneededIn(session, op.op))
+          return *why;
+    return "nothing of it is left";
   }
 
   /// Makes branches of constant conditions go one way, and takes away what no way leads to.
@@ -77,6 +106,7 @@ private:
     SlotConstants constants(body, session.real, sceneOracle(session));
     std::map<BasicBlock *, std::string> whyNot;
     SmallVector<std::pair<BranchInst *, bool>> decided;
+    const DominatorTree dominators(body);
     for (BasicBlock &block : body) {
       auto *branch = dyn_cast<BranchInst>(block.getTerminator());
       if (!constants.isReached(&block) || !branch || !branch->isConditional())
@@ -86,6 +116,12 @@ private:
         continue;
       decided.push_back({branch, !truth->isZero()});
       std::string why = join(constants.causesOf(branch->getCondition()));
+      BasicBlock *taken = branch->getSuccessor(truth->isZero() ? 1 : 0);
+      if (taken->getSinglePredecessor() == &block)
+        for (BasicBlock &other : body)
+          if (dominators.dominates(taken, &other))
+            for (const std::string &cause : constants.causesOf(branch->getCondition()))
+              because[&other].insert(cause);
       SmallVector<BasicBlock *> worklist{branch->getSuccessor(truth->isZero() ? 0 : 1)};
       while (!worklist.empty()) {
         BasicBlock *next = worklist.pop_back_val();
@@ -159,12 +195,20 @@ private:
            op.effect == stc::Effect::Indirect;
   }
 
-  /// Takes away what computes nothing that is used.
-  void dropUnused() {
-    SmallPtrSet<const Instruction *, 32> live;
+  /// Whether something is done for others than this function.
+  static bool isRoot(const Instruction &instruction) {
+    const stc::OpInfo *op = opOf(instruction);
+    return instruction.isTerminator() || (isa<CallInst>(instruction) && !op) ||
+           (op && (op->purity == stc::Purity::Writes || op->op == Op::call_method));
+  }
+
+  using Instructions = SmallPtrSet<const Instruction *, 32>;
+  /// All that some instructions need. Numbered rays and random numbers need each other, or are
+  /// needed anyhow.
+  Instructions neededBy(function_ref<bool(const Instruction &)> isRoot, bool sequenceIsLive) const {
+    Instructions live;
     SmallPtrSet<const Value *, 32> liveSlots;
     SmallVector<const Instruction *> worklist;
-    bool sequenceIsLive = othersTrace;
     auto enliven = [&](const Instruction *instruction) {
       if (live.insert(instruction).second)
         worklist.push_back(instruction);
@@ -184,9 +228,7 @@ private:
         continue;
       if (auto *call = dyn_cast<CallInst>(&instruction))
         calls.push_back(call);
-      bool isRoot = instruction.isTerminator() || (isa<CallInst>(instruction) && !op) ||
-                    (op && (op->purity == stc::Purity::Writes || op->op == Op::call_method));
-      if (isRoot)
+      if (isRoot(instruction))
         enliven(&instruction);
     }
     for (bool changed = true; changed;) {
@@ -216,6 +258,12 @@ private:
         changed = true;
       }
     }
+    return live;
+  }
+
+  /// Takes away what computes nothing that is used.
+  void dropUnused() {
+    const Instructions live = neededBy(isRoot, othersTrace);
     for (Instruction &instruction : make_early_inc_range(instructions(body))) {
       if (live.contains(&instruction))
         continue;
@@ -252,8 +300,34 @@ private:
     return changed;
   }
 
+  /// The outputs for which each instruction of the body is there.
+  std::map<const Instruction *, std::set<std::string>> findOutputs() const {
+    std::map<std::string, Instructions> stores;
+    for (const Instruction &instruction : instructions(body)) {
+      const stc::OpInfo *op = opOf(instruction);
+      auto kind = op ? idKind(*op) : std::nullopt;
+      if (!op || op->purity != stc::Purity::Writes || !kind)
+        continue;
+      uint64_t id = idOf(cast<CallInst>(instruction), *op);
+      if (*kind == stc::IdKind::Global)
+        stores[stc::globalNumbered(unsigned(id))->name.str()].insert(&instruction);
+      else if (*kind == stc::IdKind::Param)
+        stores[shader.info.params[id].name].insert(&instruction);
+    }
+    std::map<const Instruction *, std::set<std::string>> result;
+    for (const auto &[name, its] : stores)
+      for (const Instruction *needed : neededBy(
+               [&its](const Instruction &instruction) {
+                 return instruction.isTerminator() || its.contains(&instruction);
+               },
+               false))
+        result[needed].insert(name);
+    return result;
+  }
+
   /// What is left, and the globals that are still asked for.
   void noteGlobals() {
+    const auto outputs = findOutputs();
     for (stc::GlobalInfo &global : shader.info.globals)
       global.read = global.written = false;
     for (Function *function : reachable())
@@ -262,10 +336,13 @@ private:
         if (!op)
           continue;
         auto &call = cast<CallInst>(instruction);
-        if (auto assumption = unneededIn(session, op->op))
-          note(call, false, absence(*assumption));
+        auto found = outputs.find(&call);
+        auto cause = because.find(call.getParent());
+        if (auto why = unneededIn(session, op->op))
+          note(call, false, *why);
         else
-          note(call, true, "");
+          note(call, true, cause == because.end() ? "" : join(cause->second),
+               found == outputs.end() ? std::set<std::string>() : found->second);
         if (idKind(*op) != stc::IdKind::Global)
           continue;
         for (stc::GlobalInfo &global : shader.info.globals)
@@ -284,11 +361,18 @@ private:
   const std::optional<std::set<std::string>> &asked;
   bool othersTrace;
   Function &body;
+  std::map<const BasicBlock *, std::set<std::string>> because; ///< what leads to a block
+  struct Through {
+    uint32_t all = 0, needed = 0; ///< bits 1 << effect
+  };
+  std::map<Op, Through> throughOps; ///< effects that operators lead to
 };
 
 } // namespace
 
-std::optional<unsigned> unneededIn(const Session &session, Op op) {
+std::optional<std::string> unneededIn(const Session &session, Op op) {
+  if (session.options.withoutEffects >> unsigned(stc::info(op).effect) & 1)
+    return "it is left out, whatever the scene calls for";
   if (!session.options.scene)
     return std::nullopt;
   uint32_t assumes = session.options.scene->assumptions();
@@ -296,7 +380,7 @@ std::optional<unsigned> unneededIn(const Session &session, Op op) {
 #define STC_UNNEEDED(name, assumption)                                                             \
   case Op::name:                                                                                   \
     if (assumes >> ANYSL_ASSUMES_##assumption & 1)                                                 \
-      return ANYSL_ASSUMES_##assumption;                                                           \
+      return absence(ANYSL_ASSUMES_##assumption);                                                  \
     return std::nullopt;
 #include "lib/STC/Unneeded.def"
   default:
@@ -318,8 +402,8 @@ SlotConstants::Oracle sceneOracle(const Session &session) {
     if (!session.options.scene)
       return std::nullopt;
     const demand::Demand &scene = *session.options.scene;
-    if (auto assumption = unneededIn(session, op.op)) {
-      SlotConstants::Known known{0, SlotValue{}, absence(*assumption)};
+    if (auto why = unneededIn(session, op.op)) {
+      SlotConstants::Known known{0, SlotValue{}, *why};
       // What it changes stays as it is.
       if (any_of(op.params, [](auto &param) { return param.kind == ParamKind::InOut; }))
         known.value.reset();

@@ -34,9 +34,13 @@ std::optional<std::set<std::string>> askedNames(const Session &session);
 /// an error, if a layer is damaged.
 bool noteSource(Session &session, Shader &shader);
 
-/// The assumption of the scene under which an operator is not needed; nothing if it may be.
-std::optional<unsigned> unneededIn(const Session &session, stc::Op op);
-/// Its words: "the scene has no lights".
+/// The effects that an operator's definition leads to besides its own, as bits; `neededOnly`:
+/// without those of operators that the scene does without.
+uint32_t effectsThrough(Session &session, llvm::Function &op, bool neededOnly);
+
+/// Why an operator is not needed; nothing if it may be.
+std::optional<std::string> unneededIn(const Session &session, stc::Op op);
+/// An assumption's words: "the scene does without lights".
 std::string absence(unsigned assumption);
 /// What the scene says about calls, for SlotConstants.
 SlotConstants::Oracle sceneOracle(const Session &session);

@@ -11,6 +11,7 @@
 #include "llvm/Support/FormatAdapters.h"
 #include "llvm/Support/Path.h"
 #include <map>
+#include <set>
 #include <tuple>
 
 using namespace llvm;
@@ -57,7 +58,8 @@ json::Value toJson(const EffectUse &use) {
                       {"line", use.position.line},
                       {"column", use.position.column},
                       {"kept", use.isKept},
-                      {"why", use.why}};
+                      {"why", use.why},
+                      {"outputs", list(use.outputs)}};
 }
 
 json::Value toJson(const ShaderReport &shader) {
@@ -109,24 +111,33 @@ void Report::printEffects(raw_ostream &out) const {
     out << "shader " << shader.name << ", " << shader.scalarInstructions << " instructions\n";
     // One line for calls that share everything but their place.
     using Line = std::tuple<std::string, bool, std::string>; // effect, kept, why
-    std::map<Line, std::map<std::string, unsigned>> lines;
+    struct Uses {
+      std::map<std::string, unsigned> places;
+      std::set<std::string> outputs;
+    };
+    std::map<Line, Uses> lines;
     for (const EffectUse &use : shader.effectUses) {
       std::string place = use.op;
       if (use.position)
         place += " " + sys::path::filename(use.position.file).str() + ":" +
                  std::to_string(use.position.line);
-      ++lines[{use.effect, use.isKept, use.why}][place];
+      Uses &uses = lines[{use.effect, use.isKept, use.why}];
+      ++uses.places[place];
+      // Outputs are for themselves.
+      if (use.effect != "Outputs")
+        uses.outputs.insert(use.outputs.begin(), use.outputs.end());
     }
-    for (const auto &[line, places] : lines) {
+    for (const auto &[line, uses] : lines) {
       const auto &[effect, isKept, why] = line;
       out << "  " << left_justify(effect, 12) << (isKept ? "kept     " : "dropped  ");
       ListSeparator separator;
-      for (const auto &[place, count] : places) {
+      for (const auto &[place, count] : uses.places) {
         out << separator << place;
         if (count > 1)
           out << " (" << count << " times)";
       }
-      out << (why.empty() ? "" : "; ") << why << '\n';
+      out << (uses.outputs.empty() ? "" : "; for ") << join(uses.outputs, ", ")
+          << (why.empty() ? "" : "; ") << why << '\n';
     }
   }
 }

@@ -43,7 +43,8 @@ struct EffectUse {
   std::string effect, op;
   FilePosition position;
   bool isKept = false;
-  std::string why; ///< it went
+  std::string why; ///< it went, or values that lead there: "Kr = 0.5 (scene.rib:9)"; may be empty
+  std::vector<std::string> outputs; ///< if it is kept: those that it is for
 };
 
 struct ShaderReport {

@@ -34,32 +34,48 @@ Function *definitionOf(Session &session, Function &callee) {
   return nullptr;
 }
 
-} // namespace
-
-bool noteSource(Session &session, Shader &shader) {
-  for (const stc::GlobalInfo &global : shader.info.globals)
-    shader.sourceWritten |= uint64_t(global.written) << global.id;
+/// The effects of all operators that functions lead to, through the layers, as bits; `neededOnly`:
+/// of those that the scene does not do without. Nothing, with an error, if a layer is damaged.
+std::optional<uint32_t> effectsFrom(Session &session, SmallVector<Function *> worklist,
+                                    bool neededOnly) {
+  uint32_t effects = 0;
   SmallPtrSet<Function *, 32> seen;
-  SmallVector<Function *> worklist{shader.info.body, shader.info.init};
   while (!worklist.empty()) {
     Function *function = worklist.pop_back_val();
     if (!function || !seen.insert(function).second)
       continue;
     if (Error error = function->materialize()) {
       session.diags.error(toString(std::move(error)));
-      return false;
+      return std::nullopt;
     }
     for (Instruction &instruction : instructions(function)) {
       auto *call = dyn_cast<CallBase>(&instruction);
       Function *callee = call ? call->getCalledFunction() : nullptr;
       if (!callee)
         continue;
-      if (const stc::OpInfo *op = stc::opOfSymbol(callee->getName()))
-        shader.sourceEffects |= 1u << unsigned(op->effect);
+      if (const stc::OpInfo *op = stc::opOfSymbol(callee->getName())) {
+        if (neededOnly && unneededIn(session, op->op))
+          continue;
+        effects |= 1u << unsigned(op->effect);
+      }
       worklist.push_back(definitionOf(session, *callee));
     }
   }
-  return true;
+  return effects;
+}
+
+} // namespace
+
+uint32_t effectsThrough(Session &session, Function &op, bool neededOnly) {
+  return effectsFrom(session, {definitionOf(session, op)}, neededOnly).value_or(0);
+}
+
+bool noteSource(Session &session, Shader &shader) {
+  for (const stc::GlobalInfo &global : shader.info.globals)
+    shader.sourceWritten |= uint64_t(global.written) << global.id;
+  auto effects = effectsFrom(session, {shader.info.body, shader.info.init}, /*neededOnly=*/false);
+  shader.sourceEffects = effects.value_or(0);
+  return effects.has_value();
 }
 
 } // namespace anysl::link

@@ -15,11 +15,14 @@
 
 namespace anysl::shade {
 
-double threadSeconds() {
+static double secondsOf(clockid_t clock) {
   timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  clock_gettime(clock, &time);
   return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
+
+double threadSeconds() { return secondsOf(CLOCK_THREAD_CPUTIME_ID); }
+double processSeconds() { return secondsOf(CLOCK_PROCESS_CPUTIME_ID); }
 
 double quantile(std::vector<double> values, double q) {
   if (values.empty())

@@ -19,15 +19,16 @@
 
 namespace anysl::shade {
 
-/// Seconds of processor time that this thread has had.
+/// Seconds of processor time that this thread, or all threads together, have had.
 double threadSeconds();
+double processSeconds();
 
 /// Something to be timed.
 struct Candidate {
   /// Does it \p times times and gives the seconds that took; what it needs beforehand is not
   /// counted.
   std::function<double(unsigned times)> run;
-  unsigned repetitions = 1;    ///< in a sample
+  unsigned repetitions = 1;      ///< in a sample
   std::vector<double> samples{}; ///< seconds for doing it once, one a round
 
   /// The share q of the samples is below it: 0.5 gives the median, 0.25 and 0.75 the quartiles.

@@ -8,6 +8,7 @@
 #include "lib/Emit/Emit.h"
 #include "lib/Emit/Target.h"
 #include "lib/Link/Linker.h"
+#include "lib/STC/Ops.h"
 #include "lib/Support/Output.h"
 #include "lib/Support/Tool.h"
 #include "tools/anysl-link/Scene.h"
@@ -71,6 +72,11 @@ cl::list<std::string> beside("beside",
                              cl::value_desc("FILE.stc.bc"), cl::cat(category));
 cl::opt<bool> effects("effects", cl::desc("With --scene: print each effect, kept or dropped"),
                       cl::cat(category));
+cl::list<std::string>
+    withoutEffects("without-effect",
+                   cl::desc("Leave an effect of lib/STC/Effects.def out, so that its "
+                            "results are 0, to see what it costs"),
+                   cl::value_desc("NAME"), cl::cat(category));
 cl::opt<std::string> decline("decline",
                              cl::desc("What to do where a shader asks for what the runtime does "
                                       "not offer but may decline: neutral (give a neutral value, "
@@ -147,6 +153,24 @@ std::string defaultOutput(StringRef input, OutputKind kind) {
   return (stem + suffixOf(kind)).str();
 }
 
+/// Reads --without-effect. Gives false, with an error, where a name is none.
+bool parseEffects(DiagnosticEngine &diags, uint32_t &effects) {
+  // Values, inputs and outputs are what a shader is.
+  const std::pair<StringRef, stc::Effect> known[] = {
+#define STC_EFFECT(id, name, doc) {#name, stc::Effect::name},
+#include "lib/STC/Effects.def"
+  };
+  for (const std::string &name : withoutEffects) {
+    const auto *found = find_if(known, [&](auto &each) { return each.first == name; });
+    if (found == std::end(known) || found->second <= stc::Effect::Outputs) {
+      diags.error("--without-effect=" + name + ": there is no such effect to be left out");
+      return false;
+    }
+    effects |= 1u << unsigned(found->second);
+  }
+  return true;
+}
+
 /// Reads --width. Gives false, with an error, if it is not a list of widths.
 bool parseWidths(DiagnosticEngine &diags, std::vector<unsigned> &widths) {
   if (width == "native")
@@ -194,7 +218,7 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.rayDerivatives = rayDerivatives;
   options.tangents = tangents;
   options.params.assign(params.begin(), params.end());
-  if (!parseWidths(diags, options.widths))
+  if (!parseWidths(diags, options.widths) || !parseEffects(diags, options.withoutEffects))
     return false;
   if (sceneFile.empty() && (effects || !beside.empty())) {
     diags.error("--effects and --beside go with --scene");

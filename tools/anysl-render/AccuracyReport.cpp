@@ -11,6 +11,7 @@
 #include "lib/Shade/Timing.h"
 #include "tools/anysl-render/PictureError.h"
 #include "tools/anysl-render/Render.h"
+#include "tools/anysl-render/ReportFiles.h"
 
 #include <anysl/anysl.h>
 
@@ -18,6 +19,7 @@
 #include <ctime>
 #include <fstream>
 
+namespace demand = anysl::demand;
 namespace fs = std::filesystem;
 using namespace anysl::render;
 namespace plot = anysl::plot;
@@ -54,33 +56,25 @@ struct Setting {
   double sameSamplesRmse = 0, sameFlip = 0; ///< against the same samples in double
 };
 
-double processSeconds() {
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
 /// The scene and its shaders as a setting has them.
 class Prepared {
 public:
   Prepared(const Options &options, const SceneDescription &original, const Setting &setting,
            const std::vector<fs::path> &searchPath, const std::vector<int> &withSamples,
            Warnings &warnings)
-      : scene(original), cache(options.cacheFolder, setting.target) {
+      : scene(original), cache(options.cache, setting.target) {
     cache.searchPath = searchPath;
     scene.samplesX = scene.samplesY = setting.samples;
     for (int index : withSamples)
       if (setting.ownSamples)
         setSamples(scene.shaders[size_t(index)].parameters, setting.ownSamples);
-    host = setting.target.runtime == "scalar"
-               ? makeScalarHost(scene, cache, warnings)
-               : makePacketHost(scene, cache, setting.target.width, warnings);
+    host = makeHost(scene, cache, setting.target, warnings);
   }
 
   Film render(double &seconds) const {
-    double begin = processSeconds();
+    double begin = shade::processSeconds();
     RenderResult result = anysl::render::render(*host, {});
-    seconds = processSeconds() - begin;
+    seconds = shade::processSeconds() - begin;
     return std::move(result.film);
   }
 
@@ -197,13 +191,6 @@ std::string makePage(const std::string &name, const SceneDescription &scene, int
   return plot::page(name + ": what buys a better picture", body);
 }
 
-std::string quoted(const std::string &text) {
-  std::string result = "\"";
-  for (char c : text)
-    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-  return result + '"';
-}
-
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", value);
@@ -214,26 +201,18 @@ std::string makeJson(const std::string &name, const SceneDescription &scene, int
                      const std::vector<Setting> &settings) {
   constexpr const char *keys[SubjectCount] = {"math", "real", "samples", "ownSamples"};
   std::string text =
-      "{\"scene\": " + quoted(name) + ", \"size\": [" + std::to_string(scene.camera.width) + ", " +
-      std::to_string(scene.camera.height) +
+      "{\"scene\": " + demand::quoted(name) + ", \"size\": [" + std::to_string(scene.camera.width) +
+      ", " + std::to_string(scene.camera.height) +
       "], \"referenceSamples\": " + std::to_string(referenceSamples * referenceSamples) +
       ",\n\"settings\": [";
   for (const Setting &s : settings)
     text += std::string(&s == &settings.front() ? "" : ",") + "\n{\"changed\": \"" +
-            keys[s.subject] + "\", \"to\": " + quoted(s.label) +
+            keys[s.subject] + "\", \"to\": " + demand::quoted(s.label) +
             ", \"seconds\": " + number(s.seconds) + ", \"rmse\": " + number(s.rmse) +
             ", \"flip\": " + number(s.flip) +
             ", \"sameSamplesRmse\": " + number(s.sameSamplesRmse) +
             ", \"sameSamplesFlip\": " + number(s.sameFlip) + "}";
   return text + "\n]}\n";
-}
-
-void write(const fs::path &path, const std::string &text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out)
-    throw UserError("cannot write '" + path.string() + "'");
 }
 
 } // namespace
@@ -242,11 +221,8 @@ void anysl::render::writeAccuracyReport(const Options &options, const SceneDescr
                                         const std::vector<fs::path> &searchPath,
                                         Warnings &warnings) {
   std::string name = fs::path(options.scene).filename().string();
-  std::error_code error;
-  fs::create_directories(options.accuracyReport, error);
-  if (error)
-    throw UserError("cannot make the folder '" + options.accuracyReport + "': " + error.message());
-  ShaderCache cache(options.cacheFolder, options.target);
+  makeReportFolder(options.accuracyReport);
+  ShaderCache cache(options.cache, options.target);
   cache.searchPath = searchPath;
   std::vector<int> withSamples = shadersWithSamples(scene, cache);
   int samples = std::max(scene.samplesX, scene.samplesY);
@@ -302,10 +278,11 @@ void anysl::render::writeAccuracyReport(const Options &options, const SceneDescr
   progress.finish();
 
   fs::path folder = options.accuracyReport;
-  write(folder / "accuracy.html", makePage(name, scene, samples, converged.samples, settings));
-  write(folder / "accuracy.json", makeJson(name, scene, converged.samples, settings));
-  write(folder / "accuracy.svg",
-        plot::svg(makePlot(name, settings, &Setting::flip, "mean FLIP"), true));
+  writeReportFile(folder / "accuracy.html",
+                  makePage(name, scene, samples, converged.samples, settings));
+  writeReportFile(folder / "accuracy.json", makeJson(name, scene, converged.samples, settings));
+  writeReportFile(folder / "accuracy.svg",
+                  plot::svg(makePlot(name, settings, &Setting::flip, "mean FLIP"), true));
   if (options.quiet)
     return;
   for (const Setting &s : settings)

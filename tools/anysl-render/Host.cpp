@@ -247,3 +247,10 @@ AnyslShadeArgs anysl::render::makeShadeArgs(const Shader &shader, const ShadingG
   args.globals_given = shader.globals | group.lights->globals;
   return args;
 }
+
+std::unique_ptr<Host> anysl::render::makeHost(const SceneDescription &description,
+                                              const ShaderCache &cache, const ShaderTarget &target,
+                                              Warnings &warnings) {
+  return target.runtime == "scalar" ? makeScalarHost(description, cache, warnings)
+                                    : makePacketHost(description, cache, target.width, warnings);
+}

@@ -135,6 +135,10 @@ std::unique_ptr<Host> makePacketHost(const SceneDescription &description, const 
 /// The host for array-of-structures libraries, float or double: one ray and one point at a time.
 std::unique_ptr<Host> makeScalarHost(const SceneDescription &description, const ShaderCache &cache,
                                      Warnings &warnings);
+/// The host of a target's runtime. The scalar runtime is known by its name; any other is taken for
+/// one of packets, and refused if its libraries say otherwise.
+std::unique_ptr<Host> makeHost(const SceneDescription &description, const ShaderCache &cache,
+                               const ShaderTarget &target, Warnings &warnings);
 
 //===-- Shared arithmetic ---------------------------------------------------//
 

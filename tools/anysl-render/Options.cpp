@@ -29,13 +29,17 @@ Renders a RIB scene whose shaders are compiled by AnySL.
   --samples N       N x N samples a pixel
   --max-depth N     how often light is traced on
   --shaders DIR     look for shaders there first; may be repeated
-  --cache DIR       compiled shaders (default: $XDG_CACHE_HOME/anysl, ~/.cache/anysl)
+  --cache-dir DIR   compiled shaders (default: $XDG_CACHE_HOME/anysl, ~/.cache/anysl); also --cache
+  --cache-size MB   how large that folder may grow (default: 1024); what was not used for longest
+                    goes first
   --no-specialise   link shaders for any scene, with effects that this one does not call for
   --keep-going      leave out what is missing or wrong in the scene, with a warning
   --watch           render again whenever the scene or a shader changes
   --accuracy-report FOLDER
                     instead of a picture, write what buys a better one: error against time of
                     every math tier, real and number of samples
+  --effects FOLDER  instead of a picture, tell which effects of the shaders the scene calls for,
+                    why, and what each costs
   --record FILE     write points at which surface and volume shaders ran, for anysl-cost --inputs
   --stats           print times and counts
   --stats-json FILE write them as JSON
@@ -115,10 +119,14 @@ Options anysl::render::parseOptions(int count, char **arguments) {
       options.maxDepth = integer(0, 64);
     else if (option == "--shaders")
       options.shaderFolders.push_back(take());
-    else if (option == "--cache")
-      options.cacheFolder = take();
+    else if (option == "--cache" || option == "--cache-dir")
+      options.cache.folder = take();
+    else if (option == "--cache-size")
+      options.cache.megabytes = uint64_t(integer(0, 1'000'000));
     else if (option == "--accuracy-report")
       options.accuracyReport = take();
+    else if (option == "--effects")
+      options.effectsReport = take();
     else if (option == "--record")
       options.recordFile = take();
     else if (option == "--stats-json")

@@ -22,9 +22,10 @@ struct Options {
   int samplesX = 0, samplesY = 0;
   int maxDepth = -1;
   std::vector<std::string> shaderFolders;
-  std::string cacheFolder;
+  CachePlace cache;
   std::string statsFile;
   std::string accuracyReport; ///< its folder; empty: a picture instead
+  std::string effectsReport;  ///< likewise
   std::string recordFile;     ///< of shading points; empty: none
   bool stats = false, quiet = false, watch = false;
   bool keepGoing = false;

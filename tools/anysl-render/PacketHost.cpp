@@ -308,8 +308,8 @@ void SizedPacketHost<W>::transmission(ThreadState &state, RayList &rays, Vec3f *
 }
 
 template <unsigned W>
-std::unique_ptr<Host> makeHost(const SceneDescription &description, const ShaderCache &cache,
-                               Warnings &warnings) {
+std::unique_ptr<Host> makeSized(const SceneDescription &description, const ShaderCache &cache,
+                                Warnings &warnings) {
   auto host = std::make_unique<SizedPacketHost<W>>(description, cache, warnings);
   if (host->scene().real() != ANYSL_REAL_FLOAT)
     throw UserError("packets of rays are float, but the shaders compute in double");
@@ -323,13 +323,13 @@ std::unique_ptr<Host> anysl::render::makePacketHost(const SceneDescription &desc
                                                     Warnings &warnings) {
   switch (width) {
   case 1:
-    return makeHost<1>(description, cache, warnings);
+    return makeSized<1>(description, cache, warnings);
   case 4:
-    return makeHost<4>(description, cache, warnings);
+    return makeSized<4>(description, cache, warnings);
   case 8:
-    return makeHost<8>(description, cache, warnings);
+    return makeSized<8>(description, cache, warnings);
   case 16:
-    return makeHost<16>(description, cache, warnings);
+    return makeSized<16>(description, cache, warnings);
   }
   throw UserError("packets of " + std::to_string(width) + " rays: the width must be 1, 4, 8 or 16");
 }

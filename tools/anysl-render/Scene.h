@@ -63,6 +63,8 @@ public:
   uint32_t groupCount() const { return uint32_t(groups.size()); }
   /// The number format of all the shaders' batches.
   AnyslReal real() const { return loader.real(); }
+  /// The libraries that are open, and for which of the scene's shaders.
+  std::vector<const WantedLibrary *> opened() const { return loader.opened(); }
   /// How many libraries each shader has been linked to for this scene, by its name.
   std::map<std::string, unsigned> linkedForScene() const { return loader.linkedForScene(); }
   /// What the shaders have noted so far, not while they run.

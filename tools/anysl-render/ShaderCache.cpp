@@ -113,15 +113,6 @@ int runProgram(const std::vector<std::string> &command, const fs::path &output) 
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// A file that goes when its maker is done with it, unless it has been moved away.
-struct Temporary {
-  fs::path path;
-  ~Temporary() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-  }
-};
-
 } // namespace
 
 fs::path anysl::render::programFolder() {
@@ -130,18 +121,8 @@ fs::path anysl::render::programFolder() {
   return program.parent_path();
 }
 
-ShaderCache::ShaderCache(fs::path given, ShaderTarget target)
-    : folder(std::move(given)), tools(programFolder()), target(std::move(target)),
-      toolsUsed(toolKey()) {
-  if (!folder.empty())
-    return;
-  if (const char *cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
-    folder = fs::path(cache) / "anysl";
-  else if (const char *home = std::getenv("HOME"); home && *home)
-    folder = fs::path(home) / ".cache" / "anysl";
-  else
-    folder = fs::temp_directory_path() / ("anysl-" + std::to_string(getuid()));
-}
+ShaderCache::ShaderCache(const CachePlace &place, ShaderTarget target)
+    : folder(place), tools(programFolder()), target(std::move(target)), toolsUsed(toolKey()) {}
 
 std::optional<fs::path> ShaderCache::find(const std::string &name) const {
   std::error_code error;
@@ -240,25 +221,9 @@ void ShaderCache::run(const Source &source, std::vector<std::string> command,
             (status < 0 ? " was stopped" : " failed with status " + std::to_string(status)));
 }
 
-/// A file of the cache, written if it is not there.
 fs::path ShaderCache::make(const Source &source, const std::string &name,
                            const std::function<void(const fs::path &)> &write) const {
-  fs::path result = folder / (source.stem() + "-" + name);
-  std::error_code error;
-  if (fs::is_regular_file(result, error))
-    return result;
-  fs::create_directories(folder, error);
-  if (error)
-    throw UserError("cannot make the cache folder '" + folder.string() + "': " + error.message());
-  static std::atomic<unsigned> serial = 0;
-  // The suffix stays, since it says what is to be written.
-  Temporary temporary{folder / ("." + std::to_string(getpid()) + "-" + std::to_string(++serial) +
-                                "-" + result.filename().string())};
-  write(temporary.path);
-  fs::rename(temporary.path, result, error);
-  if (error)
-    throw UserError("cannot write '" + result.string() + "': " + error.message());
-  return result;
+  return folder.file(source.stem() + "-" + name, write);
 }
 
 fs::path ShaderCache::threadedCode(const Source &source) const {
@@ -291,42 +256,65 @@ ShaderAsking ShaderCache::asking(const std::string &name, const Location &where)
   return result;
 }
 
+void ShaderCache::link(const Source &source, const ShaderVariant &variant, const fs::path &output,
+                       std::vector<std::string> more) const {
+  fs::path threaded = threadedCode(source);
+  ++compiled;
+  std::vector<std::string> command = {"anysl-link", threaded.string(), "-o",     output.string(),
+                                      "--runtime",  target.runtime,    "--real", target.real,
+                                      "--mcpu",     "native"};
+  if (!target.math.empty())
+    command.insert(command.end(), {"--math", target.math});
+  if (target.checkNaN)
+    command.push_back("--check-nan");
+  if (variant.rayDerivatives)
+    command.push_back("--ray-derivatives");
+  if (variant.tangents)
+    command.push_back("--tangents");
+  if (target.maxLoop)
+    command.insert(command.end(), {"--max-loop", std::to_string(target.maxLoop)});
+  if (!target.withoutEffect.empty())
+    command.insert(command.end(), {"--without-effect", target.withoutEffect});
+  command.insert(command.end(), more.begin(), more.end());
+  TemporaryFile manifest{output.string() + ".json"};
+  if (!variant.manifest.empty()) {
+    std::ofstream(manifest.path) << (variant.withPlaces.empty() ? variant.manifest
+                                                                : variant.withPlaces);
+    command.insert(command.end(), {"--scene", manifest.path.string()});
+  }
+  run(source, std::move(command));
+}
+
 fs::path ShaderCache::library(const std::string &name, const Location &where,
                               const ShaderVariant &variant) const {
   Source source = lookUp(name, where);
   if (source.file.extension() == ".so")
     return source.file;
   ContentHash key = source.key;
-  for (const std::string &word : {target.runtime, target.real, target.math, variant.manifest})
+  for (const std::string &word :
+       {target.runtime, target.real, target.math, target.withoutEffect, variant.manifest})
     key.add(word);
-  for (unsigned number :
-       {target.width, unsigned(target.checkNaN), target.maxLoop, unsigned(variant.rayDerivatives), unsigned(variant.tangents)})
+  for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop,
+                          unsigned(variant.rayDerivatives), unsigned(variant.tangents)})
     key.addNumber(number);
   return make(source, key.text() + ".so", [&](const fs::path &path) {
-    fs::path threaded = threadedCode(source);
-    ++compiled;
-    std::vector<std::string> link = {
-        "anysl-link", threaded.string(),
-        "-o",         path.string(),
-        "--runtime",  target.runtime,
-        "--real",     target.real,
-        "--mcpu",     "native",
-        "--width",    target.width > 1 ? "1," + std::to_string(target.width) : "1"};
-    if (!target.math.empty())
-      link.insert(link.end(), {"--math", target.math});
-    if (target.checkNaN)
-      link.push_back("--check-nan");
-    if (variant.rayDerivatives)
-      link.push_back("--ray-derivatives");
-    if (variant.tangents)
-      link.push_back("--tangents");
-    if (target.maxLoop)
-      link.insert(link.end(), {"--max-loop", std::to_string(target.maxLoop)});
-    Temporary manifest{path.string() + ".json"};
-    if (!variant.manifest.empty()) {
-      std::ofstream(manifest.path) << variant.manifest;
-      link.insert(link.end(), {"--scene", manifest.path.string()});
-    }
-    run(source, std::move(link));
+    link(source, variant, path,
+         {"--width", target.width > 1 ? "1," + std::to_string(target.width) : "1"});
   });
+}
+
+demand::Json ShaderCache::report(const std::string &name, const Location &where,
+                                 const ShaderVariant &variant) const {
+  Source source = lookUp(name, where);
+  ContentHash key = source.key;
+  for (const std::string &word : {target.runtime, target.real, target.math, target.withoutEffect,
+                                  variant.manifest, variant.withPlaces})
+    key.add(word);
+  key.addNumber(variant.rayDerivatives);
+  key.addNumber(variant.tangents);
+  fs::path file = make(source, key.text() + ".report.json", [&](const fs::path &path) {
+    TemporaryFile library{path.string() + ".so"};
+    link(source, variant, library.path, {"--width", "1", "--report", path.string()});
+  });
+  return demand::parseJson(loadSourceFile(file.string()));
 }

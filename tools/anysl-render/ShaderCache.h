@@ -8,7 +8,8 @@
 #ifndef ANYSL_RENDER_SHADERCACHE_H
 #define ANYSL_RENDER_SHADERCACHE_H
 
-#include "lib/Rib/Diagnostics.h"
+#include "lib/Demand/Json.h"
+#include "tools/anysl-render/CacheFolder.h"
 
 #include <atomic>
 #include <filesystem>
@@ -24,9 +25,10 @@ struct ShaderTarget {
   std::string runtime = "packet", real = "float";
   std::string math; ///< empty: the linker's default
   unsigned width = 8;
-  bool checkNaN = false;  ///< they note where a number stops being finite
-  unsigned maxLoop = 0;   ///< rounds after which loops are left; 0: no limit
-  bool specialise = true; ///< they are linked for the scene; false: for any
+  bool checkNaN = false;     ///< they note where a number stops being finite
+  unsigned maxLoop = 0;      ///< rounds after which loops are left; 0: no limit
+  bool specialise = true;    ///< they are linked for the scene; false: for any
+  std::string withoutEffect; ///< to be left out all the same; empty: none
 };
 
 /// What a shader is linked for besides the target.
@@ -34,6 +36,7 @@ struct ShaderVariant {
   std::string manifest;        ///< of what the scene calls for (docs/effects.md); empty: anything
   bool rayDerivatives = false; ///< the rays that it traces carry theirs
   bool tangents = false;       ///< a displacement shader says how P changes
+  std::string withPlaces;      ///< the manifest with who says what, for reports
 };
 
 /// What a scene has to know of one of its shaders before any is linked for it.
@@ -49,12 +52,10 @@ struct ShaderAsking {
 /// unless the cache folder has the result of the same inputs: source with all it includes, target,
 /// what it is linked for, processor, and the tools themselves with their runtimes.
 ///
-/// Files appear in the folder under their final name only when complete, so any number of renderers
-/// may share it.
+/// Any number of renderers may share the folder (CacheFolder.h).
 class ShaderCache {
 public:
-  /// An empty folder means $XDG_CACHE_HOME/anysl, else ~/.cache/anysl.
-  ShaderCache(std::filesystem::path folder, ShaderTarget target);
+  ShaderCache(const CachePlace &place, ShaderTarget target);
 
   /// Folders that are searched, in order.
   std::vector<std::filesystem::path> searchPath;
@@ -63,6 +64,10 @@ public:
   /// none or it does not compile. Several threads may call this.
   std::filesystem::path library(const std::string &name, const Location &where,
                                 const ShaderVariant &variant = {}) const;
+
+  /// What anysl-link tells of it (--report). Throws as library() does.
+  demand::Json report(const std::string &name, const Location &where,
+                      const ShaderVariant &variant) const;
 
   /// What a shader asks of others; of a library nobody knows. Throws as library() does.
   ShaderAsking asking(const std::string &name, const Location &where) const;
@@ -83,12 +88,15 @@ private:
   std::string toolKey() const;
   Source lookUp(const std::string &name, const Location &where) const;
   std::filesystem::path threadedCode(const Source &source) const;
+  void link(const Source &source, const ShaderVariant &variant, const std::filesystem::path &output,
+            std::vector<std::string> more) const;
   std::filesystem::path make(const Source &source, const std::string &name,
                              const std::function<void(const std::filesystem::path &)> &write) const;
   void run(const Source &source, std::vector<std::string> command,
            const std::filesystem::path &output = {}) const;
 
-  std::filesystem::path folder, tools;
+  CacheFolder folder;
+  std::filesystem::path tools;
   ShaderTarget target;
   std::string toolsUsed; ///< what they are, as a key
   mutable std::atomic<unsigned> compiled = 0;

@@ -191,6 +191,13 @@ void ShaderLoader::openAll(std::vector<WantedLibrary> wanted) {
   }
 }
 
+std::vector<const WantedLibrary *> ShaderLoader::opened() const {
+  std::vector<const WantedLibrary *> result;
+  for (const auto &library : libraries)
+    result.push_back(&library->wanted);
+  return result;
+}
+
 std::map<std::string, unsigned> ShaderLoader::linkedForScene() const {
   std::map<std::string, unsigned> result;
   for (const auto &opened : libraries)

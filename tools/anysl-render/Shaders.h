@@ -82,6 +82,8 @@ public:
   std::unique_ptr<Shader> make(const ShaderUse &use, const AnyslServices &services,
                                const ShaderUse *opened = nullptr);
 
+  /// The libraries that are open, and for which of the scene's shaders.
+  std::vector<const WantedLibrary *> opened() const;
   /// How many libraries each shader has been linked to for this scene, by its name.
   std::map<std::string, unsigned> linkedForScene() const;
 

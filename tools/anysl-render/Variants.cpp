@@ -1,5 +1,4 @@
-//===-- tools/anysl-render/Variants.cpp - what shaders are linked for
-//---------------------------===//
+//===-- tools/anysl-render/Variants.cpp - what shaders are linked for -------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -21,9 +20,8 @@ using namespace anysl::render;
 namespace {
 
 bool anyDisplaces(const std::vector<const ShaderUse *> &uses) {
-  return std::any_of(uses.begin(), uses.end(), [](const ShaderUse *use) {
-    return use->kind == ShaderKind::Displacement;
-  });
+  return std::any_of(uses.begin(), uses.end(),
+                     [](const ShaderUse *use) { return use->kind == ShaderKind::Displacement; });
 }
 
 } // namespace
@@ -101,8 +99,12 @@ std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses
       auto same = std::find_if(result.begin(), result.end(), [&](const WantedLibrary &other) {
         return other.name == name && other.variant.manifest == manifest;
       });
-      if (same == result.end())
-        same = result.insert(result.end(), {name, {manifest}, {}});
+      if (same == result.end()) {
+        ShaderVariant variant;
+        variant.manifest = manifest;
+        variant.withPlaces = demand::writeManifest(demand);
+        same = result.insert(result.end(), {name, variant, {}});
+      }
       same->variant.tangents |= anyDisplaces(group);
       same->uses.insert(same->uses.end(), group.begin(), group.end());
     };

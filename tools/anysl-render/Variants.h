@@ -1,5 +1,4 @@
-//===-- tools/anysl-render/Variants.h - what shaders are linked for -----------------------*- C++
-//-*---===//
+//===-- tools/anysl-render/Variants.h - what shaders are linked for -----------------*- C++ -*-===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception

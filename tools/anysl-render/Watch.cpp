@@ -7,6 +7,7 @@
 
 #include "tools/anysl-render/Watch.h"
 
+#include <algorithm>
 #include <thread>
 
 using namespace anysl::render;
@@ -34,12 +35,16 @@ bool Watch::changed() {
     return seen;
   last = now;
   for (const auto &[path, state] : files)
-    if (State current = look(path); !(current == state) && !(current == State()))
+    if (State current = look(path); !(current == state) && !(current == State())) {
       seen = true;
+      saved = std::max(saved, current.time);
+    }
   return seen;
 }
 
-void Watch::wait() {
+std::filesystem::file_time_type Watch::wait() {
   while (!changed())
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::lock_guard guard(lock);
+  return saved;
 }

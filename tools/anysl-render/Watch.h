@@ -24,8 +24,8 @@ public:
   /// Whether a file has changed since it was added. Cheap: it looks five times a second at most.
   /// Any thread may ask.
   bool changed();
-  /// Waits until changed().
-  void wait();
+  /// Waits until changed(), and gives the time when the file was saved that changed last.
+  std::filesystem::file_time_type wait();
 
 private:
   struct State {
@@ -39,6 +39,7 @@ private:
   std::map<std::filesystem::path, State> files;
   std::chrono::steady_clock::time_point last;
   bool seen = false;
+  std::filesystem::file_time_type saved = std::filesystem::file_time_type::min();
 };
 
 } // namespace anysl::render

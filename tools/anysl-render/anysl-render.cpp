@@ -11,6 +11,7 @@
 #include "lib/Shade/Progress.h"
 #include "lib/Shade/Recording.h"
 #include "tools/anysl-render/AccuracyReport.h"
+#include "tools/anysl-render/EffectsReport.h"
 #include "tools/anysl-render/Options.h"
 #include "tools/anysl-render/Render.h"
 #include "tools/anysl-render/Textures.h"
@@ -120,10 +121,13 @@ void writeRecord(const std::string &path, shade::Recorder &recorder, Warnings &w
   }
 }
 
+/// When the file was saved because of which a picture is rendered again.
+using SaveTime = std::optional<fs::file_time_type>;
+
 /// Renders one picture and has the files it was made from watched. Returns false if a change of one
 /// of them ended it early.
 bool renderScene(const Options &options, const SceneDescription &scene, Watch *watch,
-                 unsigned threads, Warnings &warnings) {
+                 SaveTime saved, unsigned threads, Warnings &warnings) {
   auto begin = std::chrono::steady_clock::now();
   if (double(scene.camera.width) * scene.camera.height > 0x1p28)
     throw UserError("a picture of " + std::to_string(scene.camera.width) + "x" +
@@ -132,15 +136,11 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
     checkOutput(output);
   if (watch)
     watch->add({scene.archives.begin(), scene.archives.end()});
-  ShaderCache cache(options.cacheFolder, options.target);
+  ShaderCache cache(options.cache, options.target);
   cache.searchPath = shaderPath(options, scene);
-  // The scalar runtime is known by its name; any other is taken for one of packets, and refused if
-  // its libraries say otherwise.
   std::unique_ptr<Host> host;
   try {
-    host = options.target.runtime == "scalar"
-               ? makeScalarHost(scene, cache, warnings)
-               : makePacketHost(scene, cache, options.target.width, warnings);
+    host = makeHost(scene, cache, options.target, warnings);
   } catch (const UserError &) {
     if (watch) // a shader that does not compile is waited for
       watch->add(cache.sources());
@@ -153,7 +153,12 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
   shade::Progress progress(fs::path(options.scene).filename().string(), options.quiet);
   RenderOptions renderOptions;
   renderOptions.timed = options.stats || !options.statsFile.empty();
-  renderOptions.progress = [&](double share) { progress.show(share); };
+  SaveTime firstPixels;
+  renderOptions.progress = [&](double share) {
+    if (!firstPixels)
+      firstPixels = fs::file_time_type::clock::now();
+    progress.show(share);
+  };
   if (watch)
     renderOptions.cancelled = [watch] { return watch->changed(); };
   shade::Recorder recorder(recordedPoints);
@@ -174,11 +179,17 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
   }
   if (!options.recordFile.empty())
     writeRecord(options.recordFile, recorder, warnings);
+  std::string notes = cache.compilations() ? ", shaders compiled before" : "";
+  if (saved && firstPixels) {
+    char text[80];
+    std::snprintf(text, sizeof text, ", first pixels %.2f s after the save",
+                  std::chrono::duration<double>(*firstPixels - *saved).count());
+    notes += text;
+  }
   if (!options.quiet)
     std::fprintf(stderr, "%s: %dx%d, %s %s, width %u: %.2f s%s\n", names.c_str(),
                  scene.camera.width, scene.camera.height, options.target.runtime.c_str(),
-                 options.target.real.c_str(), options.target.width, result.seconds,
-                 cache.compilations() ? ", shaders compiled before" : "");
+                 options.target.real.c_str(), options.target.width, result.seconds, notes.c_str());
   writeStats(options, host->scene(), result, setup, threads);
   return true;
 }
@@ -193,7 +204,7 @@ void makeTextures(const std::vector<TextureUse> &textures, Warnings &warnings) {
     }
 }
 
-void renderFile(const Options &options, Watch *watch, unsigned threads) {
+void renderFile(const Options &options, Watch *watch, SaveTime saved, unsigned threads) {
   Warnings warnings;
   warnings.keepGoing = options.keepGoing;
   std::vector<SceneDescription> scenes = readRib(loadSourceFile(options.scene), warnings);
@@ -203,22 +214,24 @@ void renderFile(const Options &options, Watch *watch, unsigned threads) {
     makeTextures(scene.texturesBefore, warnings);
     if (!options.accuracyReport.empty())
       return writeAccuracyReport(options, scene, shaderPath(options, scene), warnings);
-    if (!renderScene(options, scene, watch, threads, warnings))
+    if (!options.effectsReport.empty())
+      return writeEffectsReport(options, scene, shaderPath(options, scene), warnings);
+    if (!renderScene(options, scene, watch, saved, threads, warnings))
       return;
     makeTextures(scene.texturesAfter, warnings);
   }
 }
 
 [[noreturn]] void watchFile(const Options &options, unsigned threads) {
-  for (;;) {
+  for (SaveTime saved;;) {
     Watch watch;
     watch.add({options.scene});
     try {
-      renderFile(options, &watch, threads);
+      renderFile(options, &watch, saved, threads);
     } catch (const UserError &error) {
       std::fputs(error.what(), stderr); // and stay until the cause is put right
     }
-    watch.wait();
+    saved = watch.wait();
   }
 }
 
@@ -240,7 +253,7 @@ int main(int count, char **arguments) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     if (options.watch)
       watchFile(options, threads);
-    renderFile(options, nullptr, threads);
+    renderFile(options, nullptr, std::nullopt, threads);
     return 0;
   } catch (const UserError &error) {
     std::fputs(error.what(), stderr);

@@ -12,6 +12,11 @@ printf 'surface flat() { Ci = ; }' > flat.sl
 await 'grep "does not compile" log'
 echo "broken: $(grep -o error log | head -1)"
 sleep 0.3
-printf 'surface flat() { Ci = color(1, 0, 0); Oi = 1; }' > flat.sl
+printf 'surface flat(color c = color(1, 0, 0)) { Ci = c; Oi = 1; }' > flat.sl
 await 'test $(grep -c s.png: log) -ge 2'
 echo "second: $(pixel)"
+echo "time: $(grep -o 'first pixels .*' log | tail -1)"
+sleep 0.3
+sed -i 's/"flat"/"flat" "c" [0 1 0]/' s.rib
+await 'test $(grep -c s.png: log) -ge 3'
+echo "third: $(pixel)"
