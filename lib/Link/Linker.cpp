@@ -99,6 +99,9 @@ bool runStages(Session &session, ArrayRef<std::string> files) {
       run(session, "loops", limitLoops) &&
       // While operators still have names and their operands addresses.
       run(session, "notes", addNotes) &&
+      // While comparing texts is an operator, and before much is inlined that is then never
+      // reached.
+      run(session, "texts", copyForTexts) &&
       // Before inlining: the runtime's shade_point is copied once a shader.
       run(session, "bind", bindShaders) &&
       // After linking, because only the runtime knows the types.
