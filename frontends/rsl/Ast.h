@@ -479,6 +479,7 @@ struct FunctionDecl {
   BlockStmt *body = nullptr;
   FunctionDecl *outer = nullptr;    ///< the function that it is nested in
   StructDecl *parent = nullptr;     ///< whose method it is
+  ArrayRef<FunctionDecl *> shorter; ///< forms without the last parameters, which have defaults
   const Builtin *defines = nullptr; ///< in a library: the built-in whose operator it is
   bool isBeingChecked = false;
   bool isChecked = false;

@@ -186,6 +186,7 @@ void Parser::parseTopLevel() {
     return skipToDeclaration();
   }
   Specifiers specifiers = parseSpecifiers();
+  skipArrayResult(specifiers);
   if (!at(TokenKind::Identifier) || !peek(1).is(TokenKind::LeftParen)) {
     if (at(TokenKind::Identifier))
       errorHere("variables cannot be declared outside of shaders and functions");
@@ -252,7 +253,75 @@ FunctionDecl *Parser::parseFunction(const Specifiers &specifiers) {
     decl->body = parseBlock();
   }
   function = decl->outer;
+  if (ok)
+    makeShorterForms(*decl);
   return ok ? decl : nullptr;
+}
+
+/// `float[3] f(…)`, which RSL does not have, is reported, and the function is then there without
+/// the brackets.
+void Parser::skipArrayResult(Specifiers &specifiers) {
+  if (!specifiers.hasType || !at(TokenKind::LeftBracket))
+    return;
+  bool hasLength = !peek(1).is(TokenKind::RightBracket);
+  if (!peek(hasLength + 1).is(TokenKind::RightBracket) ||
+      !peek(hasLength + 2).is(TokenKind::Identifier) ||
+      !peek(hasLength + 3).is(TokenKind::LeftParen))
+    return;
+  SMLoc begin = peek().loc;
+  position += hasLength + 2;
+  diags
+      .error(begin, "a function cannot return an array; let it set one that is an 'output' "
+                    "parameter")
+      .range(rangeFrom(begin));
+  specifiers.type = TypeKind::Error;
+}
+
+/// Functions for calls that leave out the last arguments, the longest first. Where a parameter was,
+/// they have a variable with its default, and they call the next longer one:
+/// `float f(float a; float b = 2 * a)` also is `float f(float a) { float b = 2 * a; return f(a, b);
+/// }`
+void Parser::makeShorterForms(FunctionDecl &decl) {
+  size_t required = decl.params.size();
+  while (required > 0 && decl.params[required - 1]->init)
+    --required;
+  for (size_t i = 0; i < required; ++i)
+    if (VarDecl &param = *decl.params[i]; param.init) {
+      diags
+          .error(param.init->loc,
+                 "parameter '" + param.name + "' cannot have a default: one behind it has none")
+          .range(param.init->range);
+      param.init = nullptr;
+    }
+  std::vector<FunctionDecl *> forms;
+  for (size_t count = decl.params.size(); count-- > required;) {
+    auto *form = ast.make<FunctionDecl>(decl);
+    std::vector<VarDecl *> params;
+    std::vector<Expr *> arguments;
+    for (VarDecl *param : decl.params) {
+      if (params.size() <= count) {
+        params.push_back(ast.make<VarDecl>(*param));
+        params.back()->owner = form;
+        params.back()->init = nullptr;
+      }
+      if (arguments.size() <= count)
+        arguments.push_back(ast.make<NameExpr>(param->range, param->name));
+    }
+    VarDecl *left = params.back();
+    params.pop_back();
+    left->kind = VarKind::Local;
+    left->isOutput = false;
+    left->init = std::exchange(decl.params[count]->init, nullptr);
+    auto *call = ast.make<CallExpr>(decl.range, decl.range, decl.name, ast.copy<Expr *>(arguments));
+    bool isVoid = decl.result.kind == TypeKind::Void;
+    Stmt *steps[] = {ast.make<DeclarationStmt>(left->range.Start, ast.copy<VarDecl *>(left)),
+                     isVoid ? static_cast<Stmt *>(ast.make<ExpressionStmt>(call))
+                            : ast.make<ReturnStmt>(decl.range.Start, call)};
+    form->params = ast.copy<VarDecl *>(params);
+    form->body = ast.make<BlockStmt>(decl.range.Start, decl.range.End, ast.copy<Stmt *>(steps));
+    forms.push_back(form);
+  }
+  decl.shorter = ast.copy<FunctionDecl *>(forms);
 }
 
 /// `(type a, b; type c …)`; a comma may also stand before a new type.

@@ -110,13 +110,19 @@ bool Parser::parseMember(StructDecl &decl, std::vector<VarDecl *> &members,
   while (at(TokenKind::Identifier) && (peek().text == "public" || peek().text == "private"))
     isPublic = take().text == "public";
   Specifiers specifiers = parseSpecifiers();
+  skipArrayResult(specifiers);
   if (at(TokenKind::Identifier) && peek(1).is(TokenKind::LeftParen)) {
+    size_t before = methods.size();
     FunctionDecl *method = parseFunction(specifiers);
     if (!method)
       return true; // what is wrong has been skipped
-    method->parent = &decl;
-    method->isPublic = isPublic;
     methods.push_back(method);
+    methods.insert(methods.end(), method->shorter.begin(), method->shorter.end());
+    method->shorter = {};
+    for (FunctionDecl *form : ArrayRef(methods).drop_front(before)) {
+      form->parent = &decl;
+      form->isPublic = isPublic;
+    }
     return true;
   }
   if (!specifiers.hasType || specifiers.type == TypeKind::Void) {

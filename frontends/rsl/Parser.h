@@ -64,6 +64,8 @@ private:
   void parsePlugin();
   void parseShader(ShaderType type);
   FunctionDecl *parseFunction(const Specifiers &specifiers);
+  void makeShorterForms(FunctionDecl &decl);
+  void skipArrayResult(Specifiers &specifiers);
   bool parseParams(VarKind kind, std::vector<VarDecl *> &params, FunctionDecl *owner);
   Specifiers parseSpecifiers();
   VarDecl *parseVariable(VarKind kind, const Specifiers &specifiers, FunctionDecl *owner);

@@ -53,11 +53,17 @@ void Sema::checkClass(StructDecl &decl) {
   popScope();
 }
 
-static FunctionDecl *methodNamed(const StructDecl &decl, StringRef name) {
+/// The method of a name that takes as many arguments as possible, of so many; where all take more,
+/// the first; null if there is none.
+static FunctionDecl *methodNamed(const StructDecl &decl, StringRef name, size_t arguments) {
+  FunctionDecl *found = nullptr;
+  auto fits = [&](const FunctionDecl &method) { return method.params.size() <= arguments; };
   for (FunctionDecl *method : decl.methods)
-    if (method->name == name)
-      return method;
-  return nullptr;
+    if (method->name == name &&
+        (!found ||
+         (fits(*method) && (!fits(*found) || method->params.size() > found->params.size()))))
+      found = method;
+  return found;
 }
 
 /// Whether a method can be called with these globals; an error if not.
@@ -91,7 +97,7 @@ void Sema::makeEntries(StructDecl &decl) {
   SmallVector<Stmt *, 8> begin;
   begin.push_back(ast.make<DeclarationStmt>(decl.range.Start, decl.members));
   for (StringRef name : {"construct", "begin"})
-    if (FunctionDecl *method = methodNamed(decl, name); method && checkEntry(*method, {}))
+    if (FunctionDecl *method = methodNamed(decl, name, 0); method && checkEntry(*method, {}))
       begin.push_back(callOf(*method, {}));
   bool any = false;
   for (ShaderType type : {ShaderType::Surface, ShaderType::Displacement, ShaderType::Light,
@@ -99,13 +105,14 @@ void Sema::makeEntries(StructDecl &decl) {
     SmallVector<Stmt *, 8> body = begin;
     bool isShader = false;
     if (type == ShaderType::Surface)
-      if (FunctionDecl *method = methodNamed(decl, "displacement"))
+      if (FunctionDecl *method = methodNamed(decl, "displacement", 2))
         body.push_back(displacementForMembers(*method));
     for (const Entry &entry : entries()) {
-      FunctionDecl *method = entry.type == type ? methodNamed(decl, entry.name) : nullptr;
+      FunctionDecl *method =
+          entry.type == type ? methodNamed(decl, entry.name, entry.globals.size()) : nullptr;
       // With a method for the whole the phases are not called.
       bool isPhase = entry.name.ends_with("lighting");
-      if (!method || (isPhase && methodNamed(decl, "surface")))
+      if (!method || (isPhase && methodNamed(decl, "surface", 2)))
         continue;
       isShader = true;
       if (!checkEntry(*method, entry.globals))

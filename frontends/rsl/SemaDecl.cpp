@@ -212,6 +212,8 @@ void Sema::checkFunction(FunctionDecl &decl) {
     matchLibraryFunction(decl);
   declareFunction(decl);
   checkBody(decl);
+  for (FunctionDecl *form : decl.shorter)
+    checkFunction(*form);
 }
 
 /// Makes a function known where it stands.
@@ -246,11 +248,6 @@ void Sema::checkBody(FunctionDecl &decl) {
   pushScope();
   for (VarDecl *param : decl.params) {
     checkArrayLength(*param);
-    if (param->init) {
-      diags.error(param->init->loc, "a function's parameter cannot have a default")
-          .range(param->init->range);
-      check(param->init);
-    }
     if (param->type.structure)
       expandStruct(*param);
     declare(param);

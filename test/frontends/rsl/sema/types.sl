@@ -30,7 +30,8 @@ float something() { return; }                   // expected-error {{function 'so
 float some(float x) { if (x > 0) return 1; }    // expected-warning {{function 'some' may end without returning a value}} expected-note {{declared here}}
 float assigns(float x) { x = 1; return x; }     // expected-warning {{parameter 'x' is not 'output'}} expected-note {{declared here}}
 float recursive(float x) { return recursive(x - 1); } // expected-error {{function 'recursive' calls itself}} expected-note {{declared here}}
-float defaulted(float x = 1) { return x; }      // expected-error {{a function's parameter cannot have a default}}
+float defaulted(float x = 1, y) { return x; }   // expected-error {{parameter 'x' cannot have a default: one behind it has none}}
+float[3] listed(float x) { float a[3]; return a; } // expected-error {{a function cannot return an array; let it set one that is an 'output' parameter}}
 
 surface calls() {
   Ci = twice("a");                    // expected-error {{no function 'twice' takes (string)}}
