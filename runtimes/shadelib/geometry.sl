@@ -20,7 +20,7 @@ point rotate(point Q; float angle; point P1, P2) {
 }
 
 // The nearest point of the segment lies at t of its length.
-float ptlined(point Q, P0, P1) {
+float ptlined(point P0, P1, Q) {
   vector segment = P1 - P0, v = Q - P0;
   float t = clamp((v . segment) / (segment . segment), 0, 1);
   return length(v - t * segment);

@@ -7,6 +7,7 @@
 
 #include "tools/anysl-render/Scene.h"
 #include "tools/anysl-render/Displacement.h"
+#include "tools/anysl-render/FaceValues.h"
 
 #include "tools/anysl-render/Pictures.h"
 
@@ -29,6 +30,7 @@ Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const Anys
       textures(makePictures(given)), loader(*this, given, cache, layout, width, warnings),
       lights(given, cache, warnings) {
   loadShaders(cache, services, warnings);
+  splitShapes();
   makeGroups(services, warnings);
   displacements.resize(description.shapes.size());
   auto move = [&](uint32_t index, DisplacedSurface surface) {
@@ -81,6 +83,18 @@ void Scene::loadShaders(const ShaderCache &cache, const AnyslServices &services,
     loader.open(lights.runStandard(cache));
   lights.load(loader, services);
   wantedChannels = Channels(description, shaders, warnings);
+}
+
+void Scene::splitShapes() {
+  for (size_t i = 0, count = description.shapes.size(); i < count; ++i) {
+    const Appearance &appearance = description.appearances[description.shapes[i].appearance];
+    std::vector<const Shader *> its;
+    for (int index : {appearance.surface, appearance.displacement})
+      if (index >= 0 && shaders[size_t(index)])
+        its.push_back(shaders[size_t(index)].get());
+    for (Shape &part : splitByFaceValues(description.shapes[i], its))
+      description.shapes.push_back(std::move(part));
+  }
 }
 
 const Shader *Scene::imager() const {

@@ -45,7 +45,8 @@ public:
   Scene(const SceneDescription &description, const ShaderCache &cache,
         const AnyslServices &services, AnyslLayout layout, unsigned width, Warnings &warnings);
 
-  const SceneDescription &description;
+  /// As given, but for shapes of which several have been made.
+  SceneDescription description;
   const Camera camera;
   const Spaces spaces;
   const Background background;
@@ -72,6 +73,8 @@ public:
 
 private:
   void loadShaders(const ShaderCache &cache, const AnyslServices &services, Warnings &warnings);
+  /// Gives polygons values of their own for their shaders' uniform parameters.
+  void splitShapes();
   void makeGroups(const AnyslServices &services, Warnings &warnings);
   /// A shader with values of its own for some parameters; shapes with the same values share it.
   const Shader *specialise(int index, const std::vector<Parameter> &constants,

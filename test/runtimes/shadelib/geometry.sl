@@ -21,7 +21,7 @@ surface geometry(float one = 1; output varying float between = 9; output varying
   // A quarter turn about the axis through (1, 0, 0) and (1, 0, 5), whatever its length.
   turned = rotate(point (1, -1, 5), PI / 2 * one, point (1, 0, 0), point (1, 0, 5 * one));
   unturned = rotate(point (1, 2, 3), one, point (4, 5, 6), point (4, 5, 6));
-  lines[0] = ptlined(point (1, 2, 0), point (0, 0, 0), point (5 * one, 0, 0));
-  lines[1] = ptlined(point (8, 4, 0), point (0, 0, 0), point (5 * one, 0, 0)); // past the end
-  lines[2] = ptlined(point (1, 2, 3), point (1, 2, 3), point (1 * one, 2, 3)); // no segment, a point
+  lines[0] = ptlined(point (0, 0, 0), point (5 * one, 0, 0), point (1, 2, 0));
+  lines[1] = ptlined(point (0, 0, 0), point (5 * one, 0, 0), point (8, 4, 0)); // past the end
+  lines[2] = ptlined(point (1, 2, 3), point (1 * one, 2, 3), point (1, 2, 3)); // no segment, a point
 }
