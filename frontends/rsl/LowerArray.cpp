@@ -38,6 +38,21 @@ void Lowering::copyLength(Value *to, Value *from) {
     b.call(Op::min_float, {length, lengthOf(from), number(capacityOf(to))});
 }
 
+/// Whether arrays have the same elements, and as many.
+Value *Lowering::equalArrays(Value *left, Value *right, Op equal) {
+  bool isFixed = !lengths.contains(left) && !lengths.contains(right);
+  Value *result =
+      isFixed ? builder().getTrue() : b.call(Op::eq_float, {lengthOf(left), lengthOf(right)});
+  unsigned count = std::min(capacityOf(left), capacityOf(right));
+  for (unsigned i = 0; i < count; ++i) {
+    Value *same = b.call(equal, {elementOf(left, i), elementOf(right, i)});
+    if (!isFixed) // what lies behind the length does not count
+      same = builder().CreateOr(same, b.call(Op::le_float, {lengthOf(left), number(i)}));
+    result = builder().CreateAnd(result, same);
+  }
+  return result;
+}
+
 /// A length from a number: an integer that the array has room for.
 void Lowering::setLength(Value *array, Value *count, StringRef name, SMLoc loc) {
   Value *whole = temporary({TypeKind::Float, true});

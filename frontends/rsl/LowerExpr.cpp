@@ -247,6 +247,14 @@ Value *Lowering::lowerIndex(const IndexExpr &index) {
   return b.element(base, b.call(Op::index, {subscript}));
 }
 
+/// The operator that compares values of a kind.
+Op Lowering::equality(TypeKind kind) {
+  return kind == TypeKind::Matrix ? Op::eq_matrix
+         : kind == TypeKind::String || kind == TypeKind::Shader
+             ? Op::eq_string
+             : opFor(kind, Op::eq_float, Op::eq_color, Op::eq_vector);
+}
+
 /// The value of a condition: an i1.
 Value *Lowering::lowerCondition(const Expr *expr) {
   if (auto *inversion = dyn_cast<NotExpr>(expr))
@@ -277,6 +285,10 @@ Value *Lowering::lowerCondition(const Expr *expr) {
   TypeKind kind = binary->left->type.kind;
   if (kind == TypeKind::Shader)
     kind = TypeKind::String;
+  if (binary->left->type.isArray()) {
+    Value *same = equalArrays(left, right, equality(kind));
+    return binary->op == BinaryOp::Equal ? same : builder().CreateNot(same);
+  }
   Op op = Op::lt_float;
   switch (binary->op) {
   case BinaryOp::Less:
@@ -292,9 +304,7 @@ Value *Lowering::lowerCondition(const Expr *expr) {
     op = Op::ge_float;
     break;
   case BinaryOp::Equal:
-    op = kind == TypeKind::Matrix   ? Op::eq_matrix
-         : kind == TypeKind::String ? Op::eq_string
-                                    : opFor(kind, Op::eq_float, Op::eq_color, Op::eq_vector);
+    op = equality(kind);
     break;
   default:
     op = kind == TypeKind::Matrix   ? Op::ne_matrix

@@ -152,6 +152,7 @@ private:
   // Arrays whose length changes (LowerArray.cpp)
   static unsigned capacityOf(Value *array);
   Value *lengthOf(Value *array);
+  Value *equalArrays(Value *left, Value *right, stc::Op equal);
   void copyLength(Value *to, Value *from);
   void setLength(Value *array, Value *count, llvm::StringRef name, SMLoc loc);
   void warnWhenRun(const llvm::Twine &message, SMLoc loc);
@@ -182,6 +183,7 @@ private:
 
   /// An operator of a family `name_<representation>`: copy_color, add_vector.
   static stc::Op opFor(TypeKind kind, stc::Op onFloat, stc::Op onColor, stc::Op onVector);
+  static stc::Op equality(TypeKind kind);
   static stc::Storage storage(Type type) {
     return type.varying ? stc::Storage::Varying : stc::Storage::Uniform;
   }

@@ -273,6 +273,14 @@ Expr *Sema::checkBinary(BinaryExpr &binary, TypeKind hint) {
   return &binary;
 }
 
+/// Arrays of the same elements are equal or not as a whole, if they can be of one length.
+static bool canCompareArrays(Type a, Type b) {
+  if (!a.isArray() || !b.isArray() || a.structure || b.structure)
+    return false;
+  bool same = a.kind == b.kind || (a.element().isGeometric() && b.element().isGeometric());
+  return same && (a.length == b.length || a.isResizable || b.isResizable);
+}
+
 Expr *Sema::checkComparison(BinaryExpr &binary) {
   Type left = probe(binary.left), right = probe(binary.right);
   auto hintFor = [](Type other) { return other.isArray() ? TypeKind::Error : other.kind; };
@@ -289,6 +297,10 @@ Expr *Sema::checkComparison(BinaryExpr &binary) {
     return failed(&binary);
   bool isEquality = binary.op == BinaryOp::Equal || binary.op == BinaryOp::NotEqual;
   bool isText = a.is(TypeKind::String) || a.is(TypeKind::Shader);
+  if (isEquality && canCompareArrays(a, b)) {
+    binary.type = {TypeKind::Bool, a.varying || b.varying};
+    return &binary;
+  }
   TypeKind kind = isText && b.is(a.kind) ? a.kind : combinedKind(BinaryOp::Add, a, b);
   if (kind == TypeKind::Error || (!isEquality && kind != TypeKind::Float)) {
     auto error = diags.error(binary.loc, "'" + spelling(binary.op) + "' does not compare '" +

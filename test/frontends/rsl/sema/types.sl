@@ -11,6 +11,9 @@ surface types(string name = "x"; float f = Cs) {  // expected-error {{initialisi
   if (Cs) Ci = 1;                     // expected-error {{a condition must be a comparison or a float, not 'color'}}
   if (Cs < 1) Ci = 1;                 // expected-error {{'<' does not compare 'color' and 'float'}}
   if (name == 1) Ci = 1;              // expected-error {{'==' does not compare 'string' and 'float'}}
+  float two[2], three[3];
+  if (two == three) Ci = 1;           // expected-error {{'==' does not compare 'float[2]' and 'float[3]'}}
+  if (two < two) Ci = 1;              // expected-error {{'<' does not compare 'float[2]' and 'float[2]'}}
   Ci = -name;                         // expected-error {{a value of type 'string' cannot be negated}}
   Ci = f > 0 ? name : 1;              // expected-error {{the two values of '?:' are of types 'string' and 'float'}}
   Ci = (1, 2);                        // expected-error {{a triple has 3 values and a matrix 16, not 2}}
