@@ -86,20 +86,11 @@ ANYSL_TIER double sinNear(double r) {
   return r * mulAdd<C::fusion>(z, horner<C::fusion>(C::sinPi, z), 1.0);
 }
 
-/// sin x or cos x where the remainder of x needs more than a double: for |x| >= HugeArgument, and
-/// for correct rounding wherever isNearMiddle.
+/// sin x or cos x for |x| >= HugeArgument.
 template <class C, bool Cosine>
-ANYSL_TIER double sinOrCosHard(double x) {
-  if constexpr (C::exact) {
-    Turns t = turnsHuge(x, 2, 0);
-    Quadrant huge = {product(Pair{t.r, t.low}, HalfPiPair), t.n}, near = quadrantNear(x);
-    bool isHuge = magnitude(x) >= float(HugeArgument64);
-    return sinOrCosForFloat({{isHuge ? huge.r.high : near.r.high, isHuge ? huge.r.low : near.r.low},
-                             (isHuge ? huge.n : near.n) + Cosine});
-  } else {
-    Turns t = turnsHuge(x, 1, Cosine ? -0.5 : 0);
-    return fromBits(bitsOf(sinNear<C>(t.r * Pi)) ^ ((Cosine ? ~t.n : t.n) << 63));
-  }
+ANYSL_TIER double sinOrCosHuge(double x) {
+  Turns t = turnsHuge(x, 1, Cosine ? -0.5 : 0);
+  return fromBits(bitsOf(sinNear<C>(t.r * Pi)) ^ ((Cosine ? ~t.n : t.n) << 63));
 }
 
 /// Whether x is so near the middle between two floats that its error may have it rounded wrongly.
@@ -108,14 +99,24 @@ ANYSL_TIER bool isNearMiddle(double x) {
   return (bitsOf(x) + (middle + doubt)) % (2 * middle) < 2 * doubt;
 }
 
-/// The same for any x, given sin or cos of its remainder from turnsNear.
+/// sin x or cos x there, from a remainder of two doubles.
+template <bool Cosine>
+ANYSL_TIER double sinOrCosNearMiddle(double x) {
+  Turns t = turnsHuge(x, 2, 0);
+  Quadrant huge = {product(Pair{t.r, t.low}, HalfPiPair), t.n}, near = quadrantNear(x);
+  bool isHuge = magnitude(x) >= HugeArgument64;
+  return sinOrCosForFloat({{isHuge ? huge.r.high : near.r.high, isHuge ? huge.r.low : near.r.low},
+                           (isHuge ? huge.n : near.n) + Cosine});
+}
+
+/// sin x or cos x, given that of the remainder from turnsNear.
 template <class C, bool Cosine>
 ANYSL_TIER float sinOrCosFrom(double y, float x) {
-  bool isHard = magnitude(x) >= (C::exact ? float(HugeArgument64) : HugeArgument);
+  if (__builtin_expect(magnitude(x) >= HugeArgument, 0))
+    y = sinOrCosHuge<C, Cosine>(x);
   if constexpr (C::exact)
-    isHard = int(isHard) | isNearMiddle(y);
-  if (__builtin_expect(isHard, 0))
-    y = sinOrCosHard<C, Cosine>(x);
+    if (__builtin_expect(isNearMiddle(y), 0))
+      y = sinOrCosNearMiddle<Cosine>(x);
   return float(y);
 }
 
