@@ -9,8 +9,9 @@ where the slopes to both sides differ is a kink or a jump and left out, as is wh
 import json
 import pathlib
 import statistics
-import subprocess
 import sys
+
+from running import run
 
 # a, b and c run from -2 to 2; v and w are vectors, k, l and m are a color and matrices made of them.
 PRELUDE = """
@@ -90,13 +91,6 @@ surface rules(float turn = 0; {arrays}) {{
 #endif
 }}
 """
-
-
-def run(*command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        sys.exit(f"{command}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 def flat(value):

@@ -11,8 +11,9 @@ import json
 import pathlib
 import re
 import shlex
-import subprocess
 import sys
+
+from running import run
 
 WAYS = [("packet", "dual", ["u10", "cr", "u35", "fast"]), ("scalar", "dual", ["u10"]),
         ("scalar", "dualdouble", ["u10", "cr", "fast"])]
@@ -20,13 +21,6 @@ WIDTHS = ["1", "4", "8", "16"]
 # Of the greatest number of an output, or of 1 where all are smaller.
 TOLERANCE = {"cr": 1e-5, "u35": 1e-5, "fast": 2e-3}
 COMPONENTS = {"float": 1, "color": 3, "point": 3, "vector": 3, "normal": 3, "matrix": 16}
-
-
-def run(*command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        sys.exit(f"{shlex.join(command)}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 def flat(value):

@@ -19,19 +19,13 @@ agree to 1e-5; so do expected ones, and to 1e-9 in double and mp.
 import json
 import re
 import shlex
-import subprocess
 import sys
+
+from running import run
 
 RUNTIMES = [("packet", "float"), ("scalar", "float"), ("scalar", "double"), ("scalar", "mp")]
 WIDTHS = {"float": [1, 4, 8, 16], "double": [1, 4, 8, 16], "mp": [1]}
 TOLERANCE = {"float": 1e-5, "double": 1e-9, "mp": 1e-9}
-
-
-def run(*command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        sys.exit(f"{shlex.join(command)}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 def flat(value):
