@@ -144,6 +144,10 @@ typedef struct AnyslTexturePoints {
   const float *dx[3]; /**< the filter's axes: the edges of a parallelogram about that place */
   const float *dy[3];
   const float *blur[2]; /**< what to add to the filter along s and t, as a share of the picture */
+  /** Null, or, for each number of `at`, where to put how the values change with it, laid out like
+      the values: asked for where a shader reads a derivative of what it looked up. Neutral: 0,
+      which is there already. */
+  float *result_by[3];
 } AnyslTexturePoints;
 
 /**

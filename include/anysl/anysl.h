@@ -47,7 +47,7 @@ ANYSL_ASSERT_SIZE(AnyslCell, 8);
 ANYSL_ASSERT_SIZE(AnyslLight, 80);
 ANYSL_ASSERT_SIZE(AnyslServices, 200);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
-ANYSL_ASSERT_SIZE(AnyslTexturePoints, 96);
+ANYSL_ASSERT_SIZE(AnyslTexturePoints, 120);
 ANYSL_ASSERT_SIZE(AnyslHits, 128);
 ANYSL_ASSERT_SIZE(AnyslRayDerivatives, 120);
 ANYSL_ASSERT_SIZE(AnyslShadeArgs, 144);

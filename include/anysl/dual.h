@@ -182,6 +182,15 @@ inline Dual<Real> chain(Real value, Real slopeX, const Dual<Real> &x, Real slope
           slopes::combination(slopeX, x.v, slopeY, y.v)};
 }
 
+/// f(x, y, z), likewise.
+template <typename Real>
+inline Dual<Real> chain(Real value, Real slopeX, const Dual<Real> &x, Real slopeY,
+                        const Dual<Real> &y, Real slopeZ, const Dual<Real> &z) {
+  return {value,
+          slopes::sum(slopes::combination(slopeX, x.u, slopeY, y.u), slopes::product(slopeZ, z.u)),
+          slopes::sum(slopes::combination(slopeX, x.v, slopeY, y.v), slopes::product(slopeZ, z.v))};
+}
+
 //===-- What a real promises ------------------------------------------------------------------===//
 
 template <typename Real>

@@ -87,6 +87,9 @@ extern const AnyslReal anysl_real_format;
 extern const bool anysl_real_has_derivatives;
 /// Whether code with this real shades one point at a time only.
 extern const bool anysl_real_is_scalar;
+/// A derivative of higher order than the real carries. The linker, which defines it as 0, sees
+/// whether it is still read in the end.
+__attribute__((const)) anysl_number anysl_unknown_derivative(void);
 
 //===-- Hooks ---------------------------------------------------------------------------------===//
 

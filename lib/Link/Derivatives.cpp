@@ -54,6 +54,28 @@ void resolveDerivativeParams(Session &session) {
   lookup->eraseFromParent();
 }
 
+/// Whether anybody reads what calls put to an address. Something else than a variable may be read.
+bool isRead(const Value *address) {
+  return !isa<AllocaInst>(address) || !all_of(address->users(), [&](const User *user) {
+    auto *store = dyn_cast<StoreInst>(user);
+    return isa<CallInst>(user) || (store && store->getPointerOperand() == address);
+  });
+}
+
+void resolveDerivativeTextures(Module &module) {
+  Function *asks = module.getFunction(derivativeTexture);
+  if (!asks)
+    return;
+  for (User *user : make_early_inc_range(asks->users())) {
+    auto *call = cast<CallInst>(user);
+    Value *query = call->getArgOperand(0);
+    bool isWanted = any_of(drop_begin(call->args()), [](const Use &use) { return isRead(use); });
+    call->replaceAllUsesWith(isWanted ? query : Constant::getNullValue(query->getType()));
+    call->eraseFromParent();
+  }
+  asks->eraseFromParent();
+}
+
 } // namespace
 
 bool carriesDerivatives(const Module &module) {
@@ -62,6 +84,7 @@ bool carriesDerivatives(const Module &module) {
 
 void resolveDerivativeInputs(Session &session) {
   resolveDerivativeParams(session);
+  resolveDerivativeTextures(*session.module);
   uint32_t component = 0;
   for (const stc::GlobalVariableInfo &global : stc::allGlobals()) {
     uint32_t first = component;

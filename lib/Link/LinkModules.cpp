@@ -133,7 +133,7 @@ private:
   void request(StringRef name, const Origin &origin) {
     if (name.starts_with("llvm.") || name == "anysl_shader_body" || name == "anysl_shader_init" ||
         name.starts_with(derivativeInputPrefix) || name == unknownDerivative ||
-        name == derivativeParam)
+        name == derivativeParam || name == derivativeTexture)
       return;
     const stc::OpInfo *op = stc::opOfSymbol(name);
     if (op && op->purity == stc::Purity::Structural)

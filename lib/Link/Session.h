@@ -157,11 +157,16 @@ inline constexpr llvm::StringLiteral derivativeInputPrefix = "anysl_derivative_i
 /// What the standard runtimes call with a parameter's number where they look up a derivative of it.
 inline constexpr llvm::StringLiteral derivativeParam = "anysl_derivative_param";
 
+/// What they call with a query and the addresses that get the slopes of a lookup in a picture: the
+/// query where one of those is read, else 0.
+inline constexpr llvm::StringLiteral derivativeTexture = "anysl_derivative_texture";
+
 /// What the operators read for a derivative of higher order than the real's.
 inline constexpr llvm::StringLiteral unknownDerivative = "anysl_unknown_derivative";
 
 /// Enters the globals from which derivatives are still read among the shaders' inputs, and tells
-/// the runtime's code where they lie; marks the parameters of which derivatives are.
+/// the runtime's code where they lie; marks the parameters of which derivatives are, and lets no
+/// lookup in a picture ask for slopes that nobody reads.
 void resolveDerivativeInputs(Session &session);
 
 /// Gives the values and the derivatives of each array an array of their own. Says whether there was

@@ -15,19 +15,26 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+double dot(const Direction &a, const Direction &b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// Longitude and latitude about the z axis: s counts turns from +x over +y, t from +z.
 void findLatLong(const Direction &d, const Direction (&change)[2], PictureFilter &filter) {
   double across = std::hypot(d[0], d[1]), length = std::hypot(across, d[2]);
   double s = std::atan2(d[1], d[0]) / (2 * pi);
   filter.s = s < 0 ? s + 1 : s;
   filter.t = std::atan2(across, d[2]) / pi;
+  if (across > 0) {
+    double turn = 1 / (across * across) / (2 * pi), tilt = 1 / (length * length) / pi;
+    filter.sBy = {-d[1] * turn, d[0] * turn, 0};
+    filter.tBy = {d[0] / across * d[2] * tilt, d[1] / across * d[2] * tilt, -across * tilt};
+  }
   for (int k = 0; k < 2; ++k) {
     const Direction &c = change[k];
     // At the poles every longitude is near; half a turn is the most that a filter can cover.
-    double turn = across > 0 ? (d[0] * c[1] - d[1] * c[0]) / (across * across) / (2 * pi) : 0;
-    double outward = across > 0 ? (d[0] * c[0] + d[1] * c[1]) / across : std::hypot(c[0], c[1]);
-    double tilt = (outward * d[2] - across * c[2]) / (length * length) / pi;
-    filter.ds[k] = std::clamp(turn, -0.5, 0.5);
+    double tilt = across > 0 ? dot(filter.tBy, c) : std::hypot(c[0], c[1]) / d[2] / pi;
+    filter.ds[k] = std::clamp(dot(filter.sBy, c), -0.5, 0.5);
     filter.dt[k] = std::clamp(tilt, -0.5, 0.5);
   }
 }
@@ -39,6 +46,16 @@ struct Face {
 constexpr Face faces[6] = {{1, -3, 2}, {-1, 3, 2}, {2, 1, -3}, {-2, 1, 3}, {3, 1, 2}, {-3, -1, 2}};
 
 double along(const Direction &d, int axis) { return axis > 0 ? d[axis - 1] : -d[-axis - 1]; }
+
+/// How (x along one axis) / (x along another) changes with x, times a factor.
+Direction slopeOfRatio(const Direction &d, int of, int by, double factor) {
+  double below = along(d, by);
+  Direction slope = {0, 0, 0};
+  auto add = [&](int axis, double x) { slope[std::abs(axis) - 1] += axis > 0 ? x : -x; };
+  add(of, factor / below);
+  add(by, -factor * along(d, of) / (below * below));
+  return slope;
+}
 
 void findOnCube(bool inRows, const Direction &d, const Direction (&change)[2],
                 PictureFilter &filter) {
@@ -56,12 +73,11 @@ void findOnCube(bool inRows, const Direction &d, const Direction (&change)[2],
   filter.t = (row + y) / rows;
   filter.low[0] = column / columns, filter.high[0] = (column + 1) / columns;
   filter.low[1] = row / rows, filter.high[1] = (row + 1) / rows;
+  filter.sBy = slopeOfRatio(d, face.right, face.ahead, 0.5 / columns);
+  filter.tBy = slopeOfRatio(d, face.up, face.ahead, -0.5 / rows);
   for (int k = 0; k < 2; ++k) {
-    double a = along(change[k], face.ahead);
-    double dx = 0.5 * (along(change[k], face.right) * ahead - right * a) / (ahead * ahead);
-    double dy = -0.5 * (along(change[k], face.up) * ahead - up * a) / (ahead * ahead);
-    filter.ds[k] = std::clamp(dx, -1.0, 1.0) / columns;
-    filter.dt[k] = std::clamp(dy, -1.0, 1.0) / rows;
+    filter.ds[k] = std::clamp(dot(filter.sBy, change[k]), -1 / columns, 1 / columns);
+    filter.dt[k] = std::clamp(dot(filter.tBy, change[k]), -1 / rows, 1 / rows);
   }
 }
 
@@ -86,6 +102,9 @@ bool findDirection(EnvironmentLayout layout, const Direction &direction, const D
     Direction changes[2] = {turned(change[0]), turned(change[1])};
     findLatLong(turned(direction), changes, filter);
     filter.s = filter.s < 0.5 ? filter.s + 0.5 : filter.s - 0.5;
+    auto turnedBack = [](const Direction &x) { return Direction{-x[1], x[2], x[0]}; };
+    filter.sBy = turnedBack(filter.sBy);
+    filter.tBy = turnedBack(filter.tBy);
     break;
   }
   case EnvironmentLayout::CubeColumn:

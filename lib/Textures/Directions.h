@@ -29,6 +29,8 @@ using Direction = std::array<double, 3>;
 /// A filter in a picture: its centre and two axes.
 struct PictureFilter {
   double s = 0, t = 0;
+  /// How the centre changes with the direction's components; 0 at the poles of a globe.
+  Direction sBy = {0, 0, 0}, tBy = {0, 0, 0};
   double ds[2] = {0, 0}, dt[2] = {0, 0};
   /// The part of the picture that it may look at: all of it, or the face of a cube.
   double low[2] = {0, 0}, high[2] = {1, 1};

@@ -56,7 +56,7 @@ void Batch::set(uint32_t i, float atS, float atT, float sx, float tx, float sy, 
 }
 
 void lookUp(Files &files, const File &file, const AnyslTextureRequest &request, Batch &batch,
-            uint32_t width, float *result) {
+            uint32_t width, const Values &result) {
   OIIO::TextureSystem &system = files.system();
   bool isGrey = request.channels == 3 && request.first_channel == 0 && file.channels < 3;
   uint32_t channels = isGrey && !hasFill(request) ? 1 : request.channels;
@@ -66,16 +66,27 @@ void lookUp(Files &files, const File &file, const AnyslTextureRequest &request, 
   batch.options.interpmode = interpolation(request.filter);
   batch.options.swrap = wrapMode(request.swrap);
   batch.options.twrap = wrapMode(request.twrap);
-  alignas(OIIO::Tex::BatchAlign) float values[3 * Batch::size] = {};
+  struct alignas(OIIO::Tex::BatchAlign) Channels {
+    float of[3 * Batch::size] = {};
+  } values, byS, byT;
+  // The nearest texel's value has none, and OpenImageIO leaves them as they are.
+  bool wantsSlopes = result.byS && batch.options.interpmode != OIIO::Tex::InterpMode::Closest;
   if (!isThere)
-    std::fill_n(values, std::size(values), batch.options.fill);
-  else if (batch.mask && !system.texture(file.handle, system.get_perthread_info(), batch.options,
-                                         batch.mask, batch.s, batch.t, batch.dsdx, batch.dtdx,
-                                         batch.dsdy, batch.dtdy, int(channels), values))
+    std::fill_n(values.of, std::size(values.of), batch.options.fill);
+  else if (batch.mask &&
+           !system.texture(file.handle, system.get_perthread_info(), batch.options, batch.mask,
+                           batch.s, batch.t, batch.dsdx, batch.dtdx, batch.dsdy, batch.dtdy,
+                           int(channels), values.of, wantsSlopes ? byS.of : nullptr,
+                           wantsSlopes ? byT.of : nullptr))
     files.warnOnce("cannot read texture '" + std::string(request.name) + "': " + system.geterror());
-  for (uint32_t c = 0; c < request.channels; ++c)
-    for (uint32_t i = 0; i < width; ++i)
-      result[c * width + i] = values[std::min(c, channels - 1) * Batch::size + i];
+  auto hand = [&](const Channels &from, float *to) {
+    for (uint32_t c = 0; to && c < request.channels; ++c)
+      for (uint32_t i = 0; i < width; ++i)
+        to[c * width + i] = from.of[std::min(c, channels - 1) * Batch::size + i];
+  };
+  hand(values, result.value);
+  hand(byS, result.byS);
+  hand(byT, result.byT);
 }
 
 void lookUpMissing(const AnyslTextureRequest &request, float s, float t, uint32_t i, uint32_t width,

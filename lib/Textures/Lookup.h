@@ -26,10 +26,16 @@ struct Batch {
            float tblur);
 };
 
-/// Looks up the batch's points in a file, and puts channel c of point i to result[c * width + i].
-/// A request for a colour gives a grey picture's value in all channels unless it has a fill.
+/// What a lookup gives: channel c of point i is value[c * width + i], and changes with s and t by
+/// what lies at the same place of byS and byT where these are not null.
+struct Values {
+  float *value, *byS = nullptr, *byT = nullptr;
+};
+
+/// Looks up the batch's points in a file. A request for a colour gives a grey picture's value in
+/// all channels unless it has a fill.
 void lookUp(Files &files, const File &file, const AnyslTextureRequest &request, Batch &batch,
-            uint32_t width, float *result);
+            uint32_t width, const Values &result);
 
 /// What stands for a file that cannot be read, at (s, t).
 void lookUpMissing(const AnyslTextureRequest &request, float s, float t, uint32_t i, uint32_t width,

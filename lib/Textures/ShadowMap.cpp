@@ -97,7 +97,7 @@ float ShadowMap::shadowAt(const AnyslTexturePoints &points, uint32_t i) {
         batch.set(uint32_t(k), float(s), float(t), 0, 0, 0, 0, 0, 0);
     }
     float depth[Batch::size];
-    lookUp(files, file, depths, batch, Batch::size, depth);
+    lookUp(files, file, depths, batch, Batch::size, {depth});
     for (int k = 0; k < Batch::size; ++k)
       hidden += batch.mask >> k & 1 && here.depth - double(request.bias) > double(depth[k]);
   }

@@ -23,6 +23,12 @@ void forPoints(uint32_t width, uint32_t mask, const F &f) {
       f(i);
 }
 
+/// Whether a caller, which may be older than the member, asks how values change.
+bool asksForSlopes(const AnyslTexturePoints &points) {
+  return points.struct_size >= offsetof(AnyslTexturePoints, result_by) + sizeof points.result_by &&
+         points.result_by[0];
+}
+
 class OiioTextures final : public Textures {
 public:
   explicit OiioTextures(TextureSettings settings) : files(std::move(settings)) {}
@@ -41,7 +47,10 @@ public:
       batch.set(i, at[0][i], at[1][i], x[0][i], x[1][i], y[0][i], y[1][i], points.blur[0][i],
                 points.blur[1][i]);
     });
-    lookUp(files, file, request, batch, width, result);
+    Values values = {result};
+    if (asksForSlopes(points))
+      values.byS = points.result_by[0], values.byT = points.result_by[1];
+    lookUp(files, file, request, batch, width, values);
   }
 
   void environment(const AnyslShadeArgs *, uint32_t width, uint32_t mask,
@@ -57,8 +66,9 @@ public:
       return Direction{v[0][i], v[1][i], v[2][i]};
     };
     Batch batch;
+    std::array<PictureFilter, Batch::size> filters;
     forPoints(width, mask, [&](uint32_t i) {
-      PictureFilter f;
+      PictureFilter &f = filters[i];
       bool isDirection = findDirection(file.layout, vector(points.at, i), vector(points.dx, i),
                                        vector(points.dy, i), f);
       if (!file.handle)
@@ -67,8 +77,20 @@ public:
         batch.set(i, float(f.s), float(f.t), float(f.ds[0]), float(f.dt[0]), float(f.ds[1]),
                   float(f.dt[1]), points.blur[0][i], points.blur[1][i]);
     });
-    if (file.handle)
-      lookUp(files, file, wrapped, batch, width, result);
+    if (!file.handle)
+      return;
+    std::array<float, 3 * Batch::size> byS, byT;
+    Values values = {result};
+    if (asksForSlopes(points))
+      values.byS = byS.data(), values.byT = byT.data();
+    lookUp(files, file, wrapped, batch, width, values);
+    for (uint32_t k = 0; values.byS && k < 3; ++k)
+      for (uint32_t c = 0; c < request.channels; ++c)
+        forPoints(width, mask, [&](uint32_t i) {
+          uint32_t at = c * width + i;
+          points.result_by[k][at] =
+              float(byS[at] * filters[i].sBy[k] + byT[at] * filters[i].tBy[k]);
+        });
   }
 
   void shadow(const AnyslShadeArgs *args, uint32_t width, uint32_t mask,

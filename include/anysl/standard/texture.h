@@ -12,7 +12,9 @@
 //
 // A filter's axes are the edges of a parallelogram. With four corners given they come from these,
 // else from the derivatives of the coordinates, which are 0 where numbers carry none. The result
-// carries no derivatives.
+// changes as the coordinates do by what the picture's slope is there; that the filter changes with
+// the place, too, and that the slope does, is left out. What a shadow map says has no derivatives:
+// it counts samples.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -35,6 +37,40 @@ struct TextureOptions {
 };
 
 inline float plain(const anysl_float &x) { return float(numberOf(x)); }
+
+/// What a channel is, and how it changes with the place.
+struct TextureValue {
+  float value, byX, byY, byZ;
+};
+struct TextureValues {
+  TextureValue r, g, b;
+};
+
+/// A channel as a number, at the place where it was looked up. Where that carries derivatives of
+/// derivatives, those of the slope count as unknown.
+template <typename Real>
+inline Real numberAt(const TextureValue &t, const Vec<Real> &place) {
+  if constexpr (hasDerivatives<Real>) {
+    using Slope = decltype(place.x.value);
+    auto slope = [](float by) {
+      if constexpr (hasDerivatives<Slope>)
+        return withDerivatives<Slope>(by, anysl_unknown_derivative(), anysl_unknown_derivative());
+      else
+        return Slope(by);
+    };
+    Vec<Slope> values(place.x.value, place.y.value, place.z.value);
+    return chain(numberAt(t, values), slope(t.byX), place.x, slope(t.byY), place.y, slope(t.byZ),
+                 place.z);
+  } else {
+    return Real(t.value);
+  }
+}
+
+/// The channels as a colour.
+template <typename Real>
+inline Rgb<Real> colorAt(const TextureValues &t, const Vec<Real> &place) {
+  return {numberAt(t.r, place), numberAt(t.g, place), numberAt(t.b, place)};
+}
 
 /// How far a coordinate goes in one step of u (of v).
 inline float stepByU(const anysl_float &x, const anysl_float &du) {
@@ -61,44 +97,51 @@ struct CornerAxes {
 };
 
 /// Each number gets an address of its own, for the runtime's function to read lanes there.
-inline void lookUp(const anysl_context *context, uint32_t query, anysl_string name,
-                   anysl_string filter, anysl_string swrap, anysl_string twrap, float channel,
-                   float fill, float bias, float samples, float x, float y, float z, float xByU,
-                   float yByU, float zByU, float xByV, float yByV, float zByV, float sblur,
-                   float tblur, float &r, float &g, float &b) {
+inline TextureValues lookUp(const anysl_context *context, uint32_t query, anysl_string name,
+                            anysl_string filter, anysl_string swrap, anysl_string twrap,
+                            float channel, float fill, float bias, float samples, float x, float y,
+                            float z, float xByU, float yByU, float zByU, float xByV, float yByV,
+                            float zByV, float sblur, float tblur) {
+  float r, g, b, rByX = 0, rByY = 0, rByZ = 0, gByX = 0, gByY = 0, gByZ = 0, bByX = 0, bByY = 0,
+                 bByZ = 0;
+  if constexpr (hasDerivatives<anysl_float>)
+    query |= anysl_derivative_texture(slopesQuery ANYSL_SLOPE_ADDRESSES);
   lookUpTexture(context->args, context->point, query, &name, &filter, &swrap, &twrap, &channel,
                 &fill, &bias, &samples, &x, &y, &z, &xByU, &yByU, &zByU, &xByV, &yByV, &zByV,
-                &sblur, &tblur, &r, &g, &b);
+                &sblur, &tblur, &r, &g, &b ANYSL_SLOPE_ADDRESSES);
+  return {{r, rByX, rByY, rByZ}, {g, gByX, gByY, gByZ}, {b, bByX, bByY, bByZ}};
 }
 
-inline void lookUp(const anysl_context *context, uint32_t query, const TextureOptions &o,
-                   const TextureFilter &f, float &r, float &g, float &b) {
-  lookUp(context, query, *o.name, *o.filter, *o.swrap, *o.twrap, o.channel, o.fill, o.bias,
-         o.samples, f.x, f.y, f.z, f.xByU, f.yByU, f.zByU, f.xByV, f.yByV, f.zByV, f.sblur, f.tblur,
-         r, g, b);
+inline TextureValues lookUp(const anysl_context *context, uint32_t query, const TextureOptions &o,
+                            const TextureFilter &f) {
+  return lookUp(context, query, *o.name, *o.filter, *o.swrap, *o.twrap, o.channel, o.fill, o.bias,
+                o.samples, f.x, f.y, f.z, f.xByU, f.yByU, f.zByU, f.xByV, f.yByV, f.zByV, f.sblur,
+                f.tblur);
 }
 
 inline Vec<float> plain(const anysl_vector &v) { return {plain(v.x), plain(v.y), plain(v.z)}; }
 
+/// A place, with derivatives, and the filter there.
+struct FilteredPlace {
+  Vec<anysl_float> place;
+  TextureFilter filter;
+};
+
 /// The filter of a place, from its derivatives.
-inline TextureFilter filterAt(const anysl_float &x, const anysl_float &y, const anysl_float &z,
-                              const anysl_float &du, const anysl_float &dv) {
-  return {plain(x),
-          plain(y),
-          plain(z),
-          stepByU(x, du),
-          stepByU(y, du),
-          stepByU(z, du),
-          stepByV(x, dv),
-          stepByV(y, dv),
-          stepByV(z, dv),
-          0,
-          0};
+inline FilteredPlace filterAt(const Vec<anysl_float> &p, const anysl_float &du,
+                              const anysl_float &dv) {
+  return {p,
+          {plain(p.x), plain(p.y), plain(p.z), stepByU(p.x, du), stepByU(p.y, du), stepByU(p.z, du),
+           stepByV(p.x, dv), stepByV(p.y, dv), stepByV(p.z, dv), 0, 0}};
 }
 
-inline TextureFilter filterOver(const CornerAxes &axes) {
-  return {axes.center.x, axes.center.y, axes.center.z, axes.byU.x, axes.byU.y, axes.byU.z,
-          axes.byV.x,    axes.byV.y,    axes.byV.z,    0,          0};
+/// The filter over four corners.
+inline FilteredPlace filterOver(const Vec<anysl_float> &a, const Vec<anysl_float> &b,
+                                const Vec<anysl_float> &c, const Vec<anysl_float> &d) {
+  CornerAxes axes(plain(a), plain(b), plain(c), plain(d));
+  return {each([](const anysl_float &x) { return anysl_float(0.25f) * x; }, (a + b) + (c + d)),
+          {axes.center.x, axes.center.y, axes.center.z, axes.byU.x, axes.byU.y, axes.byU.z,
+           axes.byV.x, axes.byV.y, axes.byV.z, 0, 0}};
 }
 
 /// swidth and twidth of coordinates s and t.
@@ -125,35 +168,39 @@ inline void scaleAxes(TextureFilter &filter, float swidth, float twidth) {
 
 namespace anysl {
 
-inline void lookUpFlat(const anysl_context *context, uint32_t channels, TextureFilter place,
-                       const anysl_string *name, ANYSL_TEXTURE_FIELDS, float &r, float &g,
-                       float &b) {
-  scaleCoordinates(place, plain(*swidth), plain(*twidth));
-  place.sblur = plain(*sblur), place.tblur = plain(*tblur);
-  TextureOptions options = {name, filter, swrap, twrap, plain(*channel), plain(*fill), 0, 0};
-  lookUp(context, textureQuery(flatTexture, channels), options, place, r, g, b);
+inline TextureValues lookUpFlat(const anysl_context *context, uint32_t channels,
+                                TextureFilter filterThere, const anysl_string *name,
+                                ANYSL_TEXTURE_FIELDS) {
+  scaleCoordinates(filterThere, plain(*swidth), plain(*twidth));
+  filterThere.sblur = plain(*sblur), filterThere.tblur = plain(*tblur);
+  return lookUp(context, textureQuery(flatTexture, channels),
+                {name, filter, swrap, twrap, plain(*channel), plain(*fill), 0, 0}, filterThere);
+}
+
+inline FilteredPlace flatOver(const anysl_float &s1, const anysl_float &t1, const anysl_float &s2,
+                              const anysl_float &t2, const anysl_float &s3, const anysl_float &t3,
+                              const anysl_float &s4, const anysl_float &t4) {
+  return filterOver({s1, t1, 0}, {s2, t2, 0}, {s3, t3, 0}, {s4, t4, 0});
 }
 
 } // namespace anysl
+
+#define ANYSL_TEXTURE_NAMES name, channel, filter, swrap, twrap, fill, sblur, tblur, swidth, twidth
 
 void anysl_texture_float(anysl_float *result, anysl_context *context, const anysl_string *name,
                          const anysl_float *s, const anysl_float *t, const anysl_float *du,
                          const anysl_float *dv, ANYSL_TEXTURE_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpFlat(context, 1, filterAt(*s, *t, anysl_float(0), *du, *dv), name, channel, filter, swrap,
-             twrap, fill, sblur, tblur, swidth, twidth, r, g, b);
-  *result = anysl_float(r);
+  FilteredPlace at = filterAt({*s, *t, 0}, *du, *dv);
+  *result = numberAt(lookUpFlat(context, 1, at.filter, ANYSL_TEXTURE_NAMES).r, at.place);
 }
 
 void anysl_texture_color(anysl_color *result, anysl_context *context, const anysl_string *name,
                          const anysl_float *s, const anysl_float *t, const anysl_float *du,
                          const anysl_float *dv, ANYSL_TEXTURE_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpFlat(context, 3, filterAt(*s, *t, anysl_float(0), *du, *dv), name, channel, filter, swrap,
-             twrap, fill, sblur, tblur, swidth, twidth, r, g, b);
-  *result = {anysl_float(r), anysl_float(g), anysl_float(b)};
+  FilteredPlace at = filterAt({*s, *t, 0}, *du, *dv);
+  *result = colorAt(lookUpFlat(context, 3, at.filter, ANYSL_TEXTURE_NAMES), at.place);
 }
 
 void anysl_texture_corners_float(anysl_float *result, anysl_context *context,
@@ -163,14 +210,8 @@ void anysl_texture_corners_float(anysl_float *result, anysl_context *context,
                                  const anysl_float *t3, const anysl_float *s4,
                                  const anysl_float *t4, ANYSL_TEXTURE_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpFlat(context, 1,
-             filterOver({{plain(*s1), plain(*t1), 0},
-                         {plain(*s2), plain(*t2), 0},
-                         {plain(*s3), plain(*t3), 0},
-                         {plain(*s4), plain(*t4), 0}}),
-             name, channel, filter, swrap, twrap, fill, sblur, tblur, swidth, twidth, r, g, b);
-  *result = anysl_float(r);
+  FilteredPlace at = flatOver(*s1, *t1, *s2, *t2, *s3, *t3, *s4, *t4);
+  *result = numberAt(lookUpFlat(context, 1, at.filter, ANYSL_TEXTURE_NAMES).r, at.place);
 }
 
 void anysl_texture_corners_color(anysl_color *result, anysl_context *context,
@@ -180,16 +221,11 @@ void anysl_texture_corners_color(anysl_color *result, anysl_context *context,
                                  const anysl_float *t3, const anysl_float *s4,
                                  const anysl_float *t4, ANYSL_TEXTURE_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpFlat(context, 3,
-             filterOver({{plain(*s1), plain(*t1), 0},
-                         {plain(*s2), plain(*t2), 0},
-                         {plain(*s3), plain(*t3), 0},
-                         {plain(*s4), plain(*t4), 0}}),
-             name, channel, filter, swrap, twrap, fill, sblur, tblur, swidth, twidth, r, g, b);
-  *result = {anysl_float(r), anysl_float(g), anysl_float(b)};
+  FilteredPlace at = flatOver(*s1, *t1, *s2, *t2, *s3, *t3, *s4, *t4);
+  *result = colorAt(lookUpFlat(context, 3, at.filter, ANYSL_TEXTURE_NAMES), at.place);
 }
 
+#undef ANYSL_TEXTURE_NAMES
 #undef ANYSL_TEXTURE_FIELDS
 
 //===-- Environments --------------------------------------------------------------------------===//
@@ -201,36 +237,34 @@ void anysl_texture_corners_color(anysl_color *result, anysl_context *context,
 
 namespace anysl {
 
-inline void lookUpEnvironment(const anysl_context *context, uint32_t channels, TextureFilter place,
-                              const anysl_string *name, ANYSL_ENVIRONMENT_FIELDS, float &r,
-                              float &g, float &b) {
-  scaleAxes(place, plain(*swidth), plain(*twidth));
-  place.sblur = plain(*sblur), place.tblur = plain(*tblur);
+inline TextureValues lookUpEnvironment(const anysl_context *context, uint32_t channels,
+                                       TextureFilter filterThere, const anysl_string *name,
+                                       ANYSL_ENVIRONMENT_FIELDS) {
+  scaleAxes(filterThere, plain(*swidth), plain(*twidth));
+  filterThere.sblur = plain(*sblur), filterThere.tblur = plain(*tblur);
   anysl_string none = "";
-  TextureOptions options = {name, filter, &none, &none, plain(*channel), plain(*fill), 0, 0};
-  lookUp(context, textureQuery(environmentTexture, channels), options, place, r, g, b);
+  return lookUp(context, textureQuery(environmentTexture, channels),
+                {name, filter, &none, &none, plain(*channel), plain(*fill), 0, 0}, filterThere);
 }
 
 } // namespace anysl
+
+#define ANYSL_ENVIRONMENT_NAMES name, channel, filter, fill, sblur, tblur, swidth, twidth
 
 void anysl_environment_float(anysl_float *result, anysl_context *context, const anysl_string *name,
                              const anysl_vector *R, const anysl_float *du, const anysl_float *dv,
                              ANYSL_ENVIRONMENT_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpEnvironment(context, 1, filterAt(R->x, R->y, R->z, *du, *dv), name, channel, filter, fill,
-                    sblur, tblur, swidth, twidth, r, g, b);
-  *result = anysl_float(r);
+  FilteredPlace at = filterAt(*R, *du, *dv);
+  *result = numberAt(lookUpEnvironment(context, 1, at.filter, ANYSL_ENVIRONMENT_NAMES).r, at.place);
 }
 
 void anysl_environment_color(anysl_color *result, anysl_context *context, const anysl_string *name,
                              const anysl_vector *R, const anysl_float *du, const anysl_float *dv,
                              ANYSL_ENVIRONMENT_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpEnvironment(context, 3, filterAt(R->x, R->y, R->z, *du, *dv), name, channel, filter, fill,
-                    sblur, tblur, swidth, twidth, r, g, b);
-  *result = {anysl_float(r), anysl_float(g), anysl_float(b)};
+  FilteredPlace at = filterAt(*R, *du, *dv);
+  *result = colorAt(lookUpEnvironment(context, 3, at.filter, ANYSL_ENVIRONMENT_NAMES), at.place);
 }
 
 void anysl_environment_corners_float(anysl_float *result, anysl_context *context,
@@ -238,10 +272,8 @@ void anysl_environment_corners_float(anysl_float *result, anysl_context *context
                                      const anysl_vector *R2, const anysl_vector *R3,
                                      const anysl_vector *R4, ANYSL_ENVIRONMENT_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpEnvironment(context, 1, filterOver({plain(*R1), plain(*R2), plain(*R3), plain(*R4)}), name,
-                    channel, filter, fill, sblur, tblur, swidth, twidth, r, g, b);
-  *result = anysl_float(r);
+  FilteredPlace at = filterOver(*R1, *R2, *R3, *R4);
+  *result = numberAt(lookUpEnvironment(context, 1, at.filter, ANYSL_ENVIRONMENT_NAMES).r, at.place);
 }
 
 void anysl_environment_corners_color(anysl_color *result, anysl_context *context,
@@ -249,12 +281,11 @@ void anysl_environment_corners_color(anysl_color *result, anysl_context *context
                                      const anysl_vector *R2, const anysl_vector *R3,
                                      const anysl_vector *R4, ANYSL_ENVIRONMENT_FIELDS) {
   using namespace anysl;
-  float r, g, b;
-  lookUpEnvironment(context, 3, filterOver({plain(*R1), plain(*R2), plain(*R3), plain(*R4)}), name,
-                    channel, filter, fill, sblur, tblur, swidth, twidth, r, g, b);
-  *result = {anysl_float(r), anysl_float(g), anysl_float(b)};
+  FilteredPlace at = filterOver(*R1, *R2, *R3, *R4);
+  *result = colorAt(lookUpEnvironment(context, 3, at.filter, ANYSL_ENVIRONMENT_NAMES), at.place);
 }
 
+#undef ANYSL_ENVIRONMENT_NAMES
 #undef ANYSL_ENVIRONMENT_FIELDS
 
 //===-- Shadow maps ---------------------------------------------------------------------------===//
@@ -265,15 +296,13 @@ void anysl_environment_corners_color(anysl_color *result, anysl_context *context
 
 namespace anysl {
 
-inline void lookUpShadow(const anysl_context *context, TextureFilter place,
-                         const anysl_string *name, ANYSL_SHADOW_FIELDS, anysl_float &result) {
-  scaleAxes(place, plain(*swidth), plain(*twidth));
-  place.sblur = plain(*sblur), place.tblur = plain(*tblur);
+inline anysl_float lookUpShadow(const anysl_context *context, TextureFilter filterThere,
+                                const anysl_string *name, ANYSL_SHADOW_FIELDS) {
+  scaleAxes(filterThere, plain(*swidth), plain(*twidth));
+  filterThere.sblur = plain(*sblur), filterThere.tblur = plain(*tblur);
   anysl_string none = "";
-  float shadow, g, b;
   TextureOptions options = {name, &none, &none, &none, 0, 0, plain(*bias), plain(*samples)};
-  lookUp(context, textureQuery(shadowTexture, 1), options, place, shadow, g, b);
-  result = anysl_float(shadow);
+  return lookUp(context, textureQuery(shadowTexture, 1), options, filterThere).r.value;
 }
 
 } // namespace anysl
@@ -282,17 +311,18 @@ void anysl_shadow(anysl_float *result, anysl_context *context, const anysl_strin
                   const anysl_point *P, const anysl_float *du, const anysl_float *dv,
                   ANYSL_SHADOW_FIELDS) {
   using namespace anysl;
-  lookUpShadow(context, filterAt(P->x, P->y, P->z, *du, *dv), name, bias, samples, sblur, tblur,
-               swidth, twidth, *result);
+  *result = lookUpShadow(context, filterAt(*P, *du, *dv).filter, name, bias, samples, sblur, tblur,
+                         swidth, twidth);
 }
 
 void anysl_shadow_corners(anysl_float *result, anysl_context *context, const anysl_string *name,
                           const anysl_point *P1, const anysl_point *P2, const anysl_point *P3,
                           const anysl_point *P4, ANYSL_SHADOW_FIELDS) {
   using namespace anysl;
-  lookUpShadow(context, filterOver({plain(*P1), plain(*P2), plain(*P3), plain(*P4)}), name, bias,
-               samples, sblur, tblur, swidth, twidth, *result);
+  *result = lookUpShadow(context, filterOver(*P1, *P2, *P3, *P4).filter, name, bias, samples, sblur,
+                         tblur, swidth, twidth);
 }
+
 #undef ANYSL_SHADOW_FIELDS
 
 #endif // ANYSL_STANDARD_TEXTURE_H

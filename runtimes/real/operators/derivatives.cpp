@@ -14,10 +14,6 @@
 
 using namespace anysl;
 
-/// A derivative of higher order than the real carries. The linker, which defines it as 0, sees
-/// whether it is still read in the end.
-extern "C" __attribute__((const)) anysl_number anysl_unknown_derivative(void);
-
 namespace {
 
 /// 0 for what is infinite or NaN.
