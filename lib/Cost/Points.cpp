@@ -30,10 +30,10 @@ void mix(const shade::RecordedShader &pool, const std::vector<Mixed> &wanted,
         }
     }
   };
-  result.globals.clear();
-  result.varying.clear();
-  mixAll(pool.globals, result.globals);
-  mixAll(pool.varying, result.varying);
+  for (auto [all, mixed] : zip(pool.lists(), result.lists())) {
+    mixed->clear();
+    mixAll(*all, *mixed);
+  }
   result.seeds.clear();
   for (const Mixed &point : wanted)
     result.seeds.push_back(pool.seeds[point.from]);
@@ -44,8 +44,8 @@ void append(shade::RecordedShader &pool, const shade::RecordedShader &more) {
     for (auto [values, extra] : zip(all, added))
       values.numbers.insert(values.numbers.end(), extra.numbers.begin(), extra.numbers.end());
   };
-  appendAll(pool.globals, more.globals);
-  appendAll(pool.varying, more.varying);
+  for (auto [all, added] : zip(pool.lists(), more.lists()))
+    appendAll(*all, *added);
   pool.seeds.insert(pool.seeds.end(), more.seeds.begin(), more.seeds.end());
   pool.points += more.points;
 }

@@ -51,7 +51,7 @@ struct KnownValue {
 
 struct Environment {
   Surroundings surroundings = Surroundings::Sky;
-  bool surroundingsGiven = false; ///< by the command line
+  bool surroundingsGiven = false;          ///< by the command line
   std::map<std::string, Matrix> toCurrent; ///< by name of the coordinate system
   std::set<std::string> givenSpaces;       ///< those that the command line names
   std::FILE *printTo = stdout;             ///< what shaders print

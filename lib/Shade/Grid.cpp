@@ -284,15 +284,26 @@ void Grid::fill(AnyslBatch *batch, size_t first, uint32_t count) const {
                                               0));
   }
   if (recording)
-    for (const RecordedShader::Values &value : recording->varying)
-      if (!paramOverrides.count(value.name))
-        check(anysl_batch_bind_float(batch, value.name.c_str(), 0, count,
-                                     &value.numbers[first * value.components], value.components));
+    bindRecorded(batch, first, count);
   // A point's random numbers do not depend on how the grid is cut into batches.
   std::vector<uint32_t> seeds(count);
   for (uint32_t i = 0; i < count; ++i)
     seeds[i] = recording ? recording->seeds[first + i] : uint32_t(first + i);
   check(anysl_batch_set_seeds(batch, seeds.data()));
+}
+
+void Grid::bindRecorded(AnyslBatch *batch, size_t first, uint32_t count) const {
+  for (const RecordedShader::Values &value : recording->varying)
+    if (!paramOverrides.count(value.name))
+      check(anysl_batch_bind_float(batch, value.name.c_str(), 0, count,
+                                   &value.numbers[first * value.components], value.components));
+  for (size_t i = 0; i < recording->byU.size(); ++i) {
+    const RecordedShader::Values &byU = recording->byU[i], &byV = recording->byV[i];
+    size_t at = first * byU.components;
+    if (!paramOverrides.count(byU.name))
+      check(anysl_batch_bind_derivatives_float(batch, byU.name.c_str(), 0, count, &byU.numbers[at],
+                                               &byV.numbers[at], byU.components));
+  }
 }
 
 BatchHandle Grid::makeBatch(size_t first, uint32_t count) const {

@@ -72,6 +72,8 @@ private:
   void round(std::vector<double> &values) const;
   void valueAt(const Override &value, size_t point, double *result) const;
   void globalAt(int global, size_t point, double *result) const;
+  /// Binds the parameters that a recording has point by point.
+  void bindRecorded(AnyslBatch *batch, size_t first, uint32_t count) const;
   static void slopeOf(const Override &value, bool byV, double *result);
   void slopeAt(int global, bool byV, double *result) const;
 

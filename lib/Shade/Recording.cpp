@@ -77,8 +77,13 @@ void writeHead(std::ostream &out, const RecordedShader &shader) {
     out << "lost " << shader.lostLights << '\n';
   for (const RecordedShader::Values &values : shader.globals)
     out << "global " << quoted(values.name) << '\n';
-  for (const RecordedShader::Values &values : shader.varying)
-    out << "varying " << quoted(values.name) << ' ' << values.components << '\n';
+  auto writeLines = [&](const char *key, const std::vector<RecordedShader::Values> &list) {
+    for (const RecordedShader::Values &values : list)
+      out << key << ' ' << quoted(values.name) << ' ' << values.components << '\n';
+  };
+  writeLines("varying", shader.varying);
+  writeLines("byU", shader.byU);
+  writeLines("byV", shader.byV);
   out << "data\n";
 }
 
@@ -210,12 +215,20 @@ private:
       else if (key == "global" && count == 2 && anysl_global_find(words[1].c_str()) >= 0)
         shader.globals.push_back(
             {words[1], anysl_global_components(anysl_global_find(words[1].c_str())), {}});
-      else if (key == "varying" && count == 3)
-        shader.varying.push_back({words[1], uint32_t(numberOf(words[2])), {}});
+      else if ((key == "varying" || key == "byU" || key == "byV") && count == 3)
+        (key == "varying" ? shader.varying
+         : key == "byU"   ? shader.byU
+                          : shader.byV)
+            .push_back({words[1], uint32_t(numberOf(words[2])), {}});
       else
         failHere();
     }
-    for (auto *list : {&shader.globals, &shader.varying})
+    auto isSame = [](const RecordedShader::Values &a, const RecordedShader::Values &b) {
+      return a.name == b.name && a.components == b.components;
+    };
+    if (!std::ranges::equal(shader.byU, shader.byV, isSame))
+      fail("is damaged: not all parameters that change with u change with v");
+    for (auto *list : shader.lists())
       for (RecordedShader::Values &values : *list)
         readNumbers(values.numbers, size_t(shader.points) * values.components);
     readNumbers(shader.seeds, shader.points);
@@ -242,13 +255,22 @@ public:
     return number(args.globals[0], size_t(point) * ANYSL_COMPONENT_COUNT + all);
   }
   float param(uint32_t param, uint32_t components, uint32_t k, uint32_t point) const {
-    uint32_t element = k / components, c = k % components;
-    size_t index = isArrays ? (size_t(element) * components + c) * args.data_stride + point
-                            : (element * args.data_stride + point) * components + c;
-    return float(anysl_param_number(&args, param, index));
+    return float(anysl_param_number(&args, param, place(components, k, point)));
+  }
+  /// A derivative of it, out of args.param_by_u or param_by_v.
+  float slope(void *const *arrays, uint32_t param, uint32_t components, uint32_t k,
+              uint32_t point) const {
+    return number(arrays[param], place(components, k, point));
   }
 
 private:
+  /// Where number k of a parameter lies.
+  size_t place(uint32_t components, uint32_t k, uint32_t point) const {
+    uint32_t element = k / components, c = k % components;
+    return isArrays ? (size_t(element) * components + c) * args.data_stride + point
+                    : (element * args.data_stride + point) * components + c;
+  }
+
   static constexpr uint32_t firstComponent[] = {
 #define ANYSL_GLOBAL(id, name, type, components, storage, doc) ANYSL_COMPONENT_##name,
 #include <anysl/Globals.def>
@@ -277,7 +299,7 @@ void writeRecording(const std::string &path, const std::vector<RecordedShader> &
   out << firstLine << '\n';
   for (const RecordedShader &shader : shaders) {
     writeHead(out, shader);
-    for (auto *list : {&shader.globals, &shader.varying})
+    for (auto *list : shader.lists())
       for (const RecordedShader::Values &values : *list)
         writeNumbers(out, values.numbers);
     writeNumbers(out, shader.seeds);
@@ -307,8 +329,13 @@ void Recorder::begin(Part &part, const AnyslInstance &instance, const AnyslShade
     const AnyslParamInfo &param = info.params[p];
     uint32_t components = anysl_type_components(param.type);
     uint32_t cells = components * std::max(param.array_length, 1u);
-    if (args.param_data && args.param_data[p] && !(args.param_is_set[p] & ANYSL_PARAM_ONLY_OUT))
+    if (args.param_data && args.param_data[p] && !(args.param_is_set[p] & ANYSL_PARAM_ONLY_OUT)) {
       shader.varying.push_back({param.name, cells, {}});
+      if ((param.flags & ANYSL_PARAM_DIFFERENTIATED) && args.param_by_u && args.param_by_u[p]) {
+        shader.byU.push_back({param.name, cells, {}});
+        shader.byV.push_back({param.name, cells, {}});
+      }
+    }
     if (!(args.param_is_set[p] & ANYSL_PARAM_GIVEN))
       continue;
     RecordedShader::Param &given = shader.params.emplace_back();
@@ -361,11 +388,23 @@ void Recorder::add(const AnyslInstance &instance, const AnyslShadeArgs &args, co
     for (const RecordedShader::Values &values : part.shader.globals)
       for (uint32_t c = 0; c < values.components; ++c)
         numbers.push_back(batch.global(anysl_global_find(values.name.c_str()), c, i));
-    for (const RecordedShader::Values &values : part.shader.varying) {
-      auto param = uint32_t(anysl_shader_param(&info, values.name.c_str()) - info.params);
-      for (uint32_t k = 0; k < values.components; ++k)
-        numbers.push_back(batch.param(param, anysl_type_components(info.params[param].type), k, i));
-    }
+    auto addParams = [&](const std::vector<RecordedShader::Values> &list, const auto &numberOf) {
+      for (const RecordedShader::Values &values : list) {
+        auto param = uint32_t(anysl_shader_param(&info, values.name.c_str()) - info.params);
+        for (uint32_t k = 0; k < values.components; ++k)
+          numbers.push_back(numberOf(param, anysl_type_components(info.params[param].type), k));
+      }
+    };
+    auto slopesIn = [&](void *const *arrays) {
+      return [&batch, i, arrays](uint32_t param, uint32_t components, uint32_t k) {
+        return batch.slope(arrays, param, components, k, i);
+      };
+    };
+    addParams(part.shader.varying, [&](uint32_t param, uint32_t components, uint32_t k) {
+      return batch.param(param, components, k, i);
+    });
+    addParams(part.shader.byU, slopesIn(args.param_by_u));
+    addParams(part.shader.byV, slopesIn(args.param_by_v));
     part.points.emplace(rank, std::pair(seed, std::move(numbers)));
     if (part.points.size() > limit)
       part.points.erase(std::prev(part.points.end()));
@@ -380,7 +419,7 @@ std::vector<RecordedShader> Recorder::take() {
     for (const auto &[rank, point] : part.points) {
       shader.seeds.push_back(point.first);
       const float *from = point.second.data();
-      for (auto *list : {&shader.globals, &shader.varying})
+      for (auto *list : shader.lists())
         for (RecordedShader::Values &values : *list) {
           values.numbers.insert(values.numbers.end(), from, from + values.components);
           from += values.components;

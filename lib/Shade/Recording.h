@@ -20,11 +20,15 @@
 //     ambient r g b
 //     light k f c c c p p p d d d o i b "category"    the fields of AnyslLight, in order
 //     lost 2                            how many of the lights are light shaders, which are not
-//     kept global "P"                        one for each global that is kept, varying "Cv" 3 and
-//     each parameter bound point by point: numbers a point data
+//                                       kept
+//     global "P"                        one for each global that is kept,
+//     varying "Cv" 3                    and each parameter bound point by point: numbers a point
+//     byU "Cv" 3                        how those change with u and
+//     byV "Cv" 3                        with v, where the shader reads that
+//     data
 //
-// Then, little-endian and without gaps: for each global and then each parameter, in the order of
-// their lines, the floats of point 0, of point 1, ...; and at last a 32-bit seed for each point.
+// Then, little-endian and without gaps: for each of these lists, in the order of its lines, the
+// floats of point 0, of point 1, ...; and at last a 32-bit seed for each point.
 // What rays meet, pictures, and answers to questions by name are not kept.
 //
 //===------------------------------------------------------------------------------------------===//
@@ -64,8 +68,14 @@ struct RecordedShader {
   float ambient[3] = {0, 0, 0};
   std::vector<Light> lights;
   unsigned lostLights = 0;
-  std::vector<Values> globals, varying;
+  std::vector<Values> globals, varying, byU, byV;
   std::vector<uint32_t> seeds;
+
+  /// All numbers that differ from point to point, in the file's order.
+  std::array<std::vector<Values> *, 4> lists() { return {&globals, &varying, &byU, &byV}; }
+  std::array<const std::vector<Values> *, 4> lists() const {
+    return {&globals, &varying, &byU, &byV};
+  }
 };
 
 /// Writes a file, or throws UserError and leaves none.

@@ -42,6 +42,8 @@ RecordedShader sample() {
   shader.lostLights = 1;
   shader.globals = {{"P", 3, {1, 2, 3, 4, 5, 6}}, {"s", 1, {-0.0f, 1e-40f}}};
   shader.varying = {{"Cv", 3, {9, 8, 7, 6, 5, 4}}};
+  shader.byU = {{"Cv", 3, {1, 0, -1, 0.5f, 3, 2}}};
+  shader.byV = {{"Cv", 3, {2, 0, -2, 0.25f, 6, 4}}};
   shader.seeds = {7, 0xffffffffu};
   return shader;
 }
