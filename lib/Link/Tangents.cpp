@@ -31,14 +31,16 @@ FunctionCallee declare(Module &module, stc::Op op) {
                                     stc::functionType(module.getContext(), stc::info(op)));
 }
 
-/// Whether all that P may be moved by carries derivatives: a renderer's answers do not.
+/// Whether all that P may be moved by carries derivatives: a renderer's answers, but for pictures,
+/// do not.
 bool knowsDerivatives(const Shader &shader) {
   for (Function *function : reachableFrom(shader.info.body))
     for (Instruction &instruction : instructions(function)) {
       auto *call = dyn_cast<CallBase>(&instruction);
       const stc::OpInfo *op = call ? opOf(*call) : nullptr;
-      if (op && (op->effect == stc::Effect::Textures || op->effect == stc::Effect::Queries ||
-                 op->effect == stc::Effect::Shaders || op->effect == stc::Effect::Random))
+      if (op && (op->op == stc::Op::shadow || op->op == stc::Op::shadow_corners ||
+                 op->effect == stc::Effect::Queries || op->effect == stc::Effect::Shaders ||
+                 op->effect == stc::Effect::Random))
         return false;
     }
   return true;

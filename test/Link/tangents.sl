@@ -1,12 +1,14 @@
 /* With --tangents displacement shaders store how P changes, and need numbers with derivatives for it. Those that move P by what carries
-   none, such as pictures, do not; nor do surfaces.
+   none, such as shadow maps, do not; nor do surfaces.
 
 RUN: rslc %s -o %t.stc.bc
 RUN: anysl-link %t.stc.bc --width 1,8 -o %t.so --report %t.json && FileCheck %s --check-prefix PLAIN < %t.json
 RUN: anysl-link %t.stc.bc --width 1,8 --tangents -o %t.so --report %t.json && FileCheck %s --check-prefix TANGENTS < %t.json
 RUN: anysl-info %t.so | FileCheck %s --check-prefix INFO
-RUN: rslc -DPICTURE %s -o %t.picture.stc.bc
-RUN: anysl-link %t.picture.stc.bc --tangents -o %t.so --report %t.json && FileCheck %s --check-prefix PICTURE < %t.json
+RUN: rslc -DMOVED='float texture("wave.tx", s, t)' %s -o %t.picture.stc.bc
+RUN: anysl-link %t.picture.stc.bc --tangents -o %t.so --report %t.json && FileCheck %s --check-prefix TANGENTS < %t.json
+RUN: rslc -DMOVED='shadow("wave.tx", P)' %s -o %t.shadow.stc.bc
+RUN: anysl-link %t.shadow.stc.bc --tangents -o %t.so --report %t.json && FileCheck %s --check-prefix SHADOW < %t.json
 RUN: rslc -DSURFACE %s -o %t.surface.stc.bc
 RUN: anysl-link %t.surface.stc.bc --tangents -o %t.so --report %t.json && FileCheck %s --check-prefix PLAIN < %t.json
 RUN: anysl-link %t.stc.bc --tangents --dump-after tangents | FileCheck %s --check-prefix DUMP
@@ -22,9 +24,9 @@ TANGENTS-DAG: "dPdu"
 TANGENTS-DAG: "dPdv"
 TANGENTS: ]
 INFO: writes {{.*}}dPdu dPdv
-PICTURE: "globalsWritten": [
-PICTURE-NOT: "dPdu"
-PICTURE: ]
+SHADOW: "globalsWritten": [
+SHADOW-NOT: "dPdu"
+SHADOW: ]
 DUMP: call void @anysl_Du_vector(ptr [[SLOT:%[^,]*]], ptr %P)
 DUMP: call void @anysl_store_global_vector(ptr %ctx, i32 12, ptr [[SLOT]])
 DUMP: call void @anysl_store_global_vector(ptr %ctx, i32 0, ptr %P)
@@ -33,8 +35,8 @@ DUMP: call void @anysl_store_global_vector(ptr %ctx, i32 0, ptr %P)
 surface moved() { P += N; }
 #else
 displacement moved() {
-#ifdef PICTURE
-  P += float texture("wave.tx", s, t) * N;
+#ifdef MOVED
+  P += MOVED * N;
 #else
   P += s * N;
 #endif
