@@ -141,8 +141,8 @@ private:
     if (op && op->effect == stc::Effect::Derivatives && !derivative)
       derivative = origin;
     looksUp |= op && !unneededIn(session, op->op) &&
-               (op->effect == stc::Effect::Textures ||
-                (op->effect == stc::Effect::Trace && session.options.rayDerivatives));
+               (stc::looksUpPictures(op->effect) ||
+                (stc::tracesSurfaces(op->effect) && session.options.rayDerivatives));
     GlobalValue *value = definition(name);
     if (op && (!value || value->getParent() == neutralOps) && !neutralMeaning(op->op).empty())
       declinedOp(*op, origin);

@@ -81,7 +81,7 @@ private:
       if (!isOwn && !(through->second.all >> effect & 1))
         continue;
       bool isNeeded = isOwn || (through->second.needed >> effect & 1);
-      shader.report.effectUses.push_back({stc::nameOf(stc::Effect(effect)).str(),
+      shader.report.effectUses.push_back({nameOf(stc::Effect(effect), call, *op),
                                           op->name.str(),
                                           stc::positionOf(call),
                                           isKept && isNeeded,
@@ -90,6 +90,18 @@ private:
       if (isKept && isNeeded)
         shader.report.effectUses.back().outputs.assign(outputs.begin(), outputs.end());
     }
+  }
+
+  /// An effect's name; each input and each output is an effect of its own: "Inputs.N".
+  std::string nameOf(stc::Effect effect, const CallInst &call, const stc::OpInfo &op) const {
+    std::string name = stc::nameOf(effect).str();
+    auto kind =
+        effect == stc::Effect::Inputs || effect == stc::Effect::Outputs ? idKind(op) : std::nullopt;
+    if (kind == stc::IdKind::Global)
+      return name + "." + stc::globalNumbered(unsigned(idOf(call, op)))->name.str();
+    if (kind == stc::IdKind::Param)
+      return name + "." + shader.info.params[idOf(call, op)].name;
+    return name;
   }
 
   /// Why the scene does without an effect.
@@ -191,7 +203,7 @@ private:
   /// behind it: they go together or not at all. Lights that shine on a point number its rays on,
   /// and so does the volume in front of it.
   static bool isSequence(const stc::OpInfo &op) {
-    return op.purity == stc::Purity::Stateful || op.effect == stc::Effect::Trace ||
+    return op.purity == stc::Purity::Stateful || stc::tracesSurfaces(op.effect) ||
            op.effect == stc::Effect::Indirect;
   }
 

@@ -124,12 +124,15 @@ void Report::printEffects(raw_ostream &out) const {
       Uses &uses = lines[{use.effect, use.isKept, use.why}];
       ++uses.places[place];
       // Outputs are for themselves.
-      if (use.effect != "Outputs")
+      if (!StringRef(use.effect).starts_with("Outputs."))
         uses.outputs.insert(use.outputs.begin(), use.outputs.end());
     }
+    size_t widest = 0;
+    for (const auto &[line, uses] : lines)
+      widest = std::max(widest, std::get<0>(line).size());
     for (const auto &[line, uses] : lines) {
       const auto &[effect, isKept, why] = line;
-      out << "  " << left_justify(effect, 12) << (isKept ? "kept     " : "dropped  ");
+      out << "  " << left_justify(effect, unsigned(widest + 1)) << (isKept ? "kept     " : "dropped  ");
       ListSeparator separator;
       for (const auto &[place, count] : uses.places) {
         out << separator << place;

@@ -38,9 +38,8 @@ bool knowsDerivatives(const Shader &shader) {
     for (Instruction &instruction : instructions(function)) {
       auto *call = dyn_cast<CallBase>(&instruction);
       const stc::OpInfo *op = call ? opOf(*call) : nullptr;
-      if (op && (op->op == stc::Op::shadow || op->op == stc::Op::shadow_corners ||
-                 op->effect == stc::Effect::Queries || op->effect == stc::Effect::Shaders ||
-                 op->effect == stc::Effect::Random))
+      if (op && (op->effect == stc::Effect::ShadowMaps || op->effect == stc::Effect::Queries ||
+                 op->effect == stc::Effect::Shaders || op->effect == stc::Effect::Random))
         return false;
     }
   return true;

@@ -95,7 +95,7 @@ bool tracesForOthers(const StcModule &file) {
   });
   return runsForOthers && any_of(*file.module, [](const Function &function) {
            const OpInfo *op = opOfSymbol(function.getName());
-           return op && (op->effect == Effect::Trace || op->effect == Effect::Indirect);
+           return op && (tracesSurfaces(op->effect) || op->effect == Effect::Indirect);
          });
 }
 

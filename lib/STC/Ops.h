@@ -66,6 +66,16 @@ enum class Effect : uint8_t {
 #include "lib/STC/Effects.def"
 };
 
+/// Whether operators of an effect look up pictures.
+constexpr bool looksUpPictures(Effect effect) {
+  return effect == Effect::Textures || effect == Effect::Environment ||
+         effect == Effect::ShadowMaps;
+}
+/// Whether they trace rays that meet surfaces, which are then shaded.
+constexpr bool tracesSurfaces(Effect effect) {
+  return effect == Effect::Trace || effect == Effect::Glossy;
+}
+
 enum class Service : uint8_t {
 #define STC_SERVICE(id, name, doc) name = id,
 #include "lib/STC/Services.def"

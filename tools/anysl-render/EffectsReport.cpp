@@ -13,6 +13,7 @@
 #include "lib/Shade/Timing.h"
 #include "tools/anysl-render/Render.h"
 #include "tools/anysl-render/ReportFiles.h"
+#include "tools/anysl-render/SceneEffects.h"
 
 #include <algorithm>
 #include <set>
@@ -41,7 +42,7 @@ struct Size {
   }
 };
 
-/// An effect in all shaders of the scene.
+/// An effect in all shaders of the scene, or one of the scene itself.
 struct Effect {
   std::set<std::string> asking;   ///< "trace_color mirror.sl:7", kept
   std::set<std::string> outputs;  ///< that it is for
@@ -51,6 +52,7 @@ struct Effect {
   Size before, after;
   double costBefore = 0, costAfter = 0; ///< seconds of processor time of the picture
   bool isMeasured = false;
+  bool isOfScene = false; ///< one that is not in shaders: without instructions and calls
   bool isKept() const { return !asking.empty(); }
 };
 using Effects = std::map<std::string, Effect>;
@@ -91,8 +93,10 @@ void addUses(const demand::Json &report, const std::string &request, Effects &ef
     }
 }
 
-/// Values, inputs and outputs cannot be left out to see what they cost.
-bool canBeLeftOut(const std::string &effect) { return effect != "Inputs" && effect != "Outputs"; }
+/// Inputs and outputs, each "Inputs.NAME", cannot be left out to see what they cost.
+bool canBeLeftOut(const std::string &effect) {
+  return !effect.starts_with("Inputs") && !effect.starts_with("Outputs");
+}
 
 /// The scene with shaders of one kind.
 class Form {
@@ -163,11 +167,28 @@ Measured measure(const Options &options, const SceneDescription &scene,
     addUses(report, library->name + " (" + demand::placeOf(library->uses[0]->where) + ")",
             result.effects);
   }
+  std::map<std::string, SceneDescription> scenesWithout;
+  for (const SceneEffect &its : sceneEffects(scene)) {
+    Effect &effect = result.effects[its.name];
+    effect.isOfScene = true;
+    effect.asking = its.asking;
+    if (!effect.isKept())
+      effect.dropped.insert(its.whyNot);
+    else
+      its.leaveOut(scenesWithout.try_emplace(its.name, scene).first->second);
+  }
   std::vector<std::unique_ptr<Form>> without; // of each effect that is measured
   for (auto &[name, effect] : result.effects) {
-    if (!canBeLeftOut(name))
+    effect.isMeasured = effect.isOfScene ? effect.isKept() : canBeLeftOut(name);
+    if (!effect.isMeasured)
       continue;
-    effect.isMeasured = true;
+    if (effect.isOfScene) {
+      const SceneDescription &other = scenesWithout.at(name);
+      for (bool specialise : {false, true})
+        without.push_back(
+            std::make_unique<Form>(options, other, searchPath, specialise, "", warnings));
+      continue;
+    }
     std::unique_ptr<Form> generalWithout = make(false, name), specialWithout = make(true, name);
     effect.before = result.before;
     effect.after = result.after;
@@ -211,7 +232,8 @@ std::string join(const std::set<std::string> &texts, const char *separator = ", 
 std::string reason(const Effect &effect) {
   if (!effect.isKept())
     return join(effect.dropped, "; ");
-  std::string result = join(effect.requests) + " at " + join(effect.asking);
+  std::string result =
+      (effect.isOfScene ? "" : join(effect.requests) + " at ") + join(effect.asking);
   if (!effect.outputs.empty())
     result += "; for " + join(effect.outputs);
   if (!effect.because.empty())
@@ -220,24 +242,36 @@ std::string reason(const Effect &effect) {
 }
 
 void printTable(const Measured &measured) {
-  std::printf("%-12s %-8s %16s %12s %20s  %s\n", "effect", "", "instructions", "calls",
-              "milliseconds", "who asks, or why nobody does");
-  auto line = [](const char *name, const char *state, const Size &before, const Size &after,
-                 double costBefore, double costAfter, const std::string &why) {
-    std::printf("%-12s %-8s %7.0f > %6.0f %5.0f > %4.0f %9.2f > %8.2f  %s\n", name, state,
-                before.instructions, after.instructions, before.calls, after.calls,
-                1e3 * costBefore, 1e3 * costAfter, why.c_str());
+  int widest = 6;
+  for (const auto &[name, effect] : measured.effects)
+    widest = std::max(widest, int(name.size()));
+  auto line = [widest](const std::string &name, const char *state, const std::string &size,
+                       const std::string &time, const std::string &why) {
+    std::printf("%-*s %-8s %29s %20s  %s\n", widest, name.c_str(), state, size.c_str(),
+                time.c_str(), why.c_str());
   };
+  auto print = [](const char *format, auto... values) {
+    char text[80];
+    std::snprintf(text, sizeof text, format, values...);
+    return std::string(text);
+  };
+  auto sizes = [&](const Size &before, const Size &after) {
+    return print("%7.0f > %6.0f %5.0f > %4.0f", before.instructions, after.instructions,
+                 before.calls, after.calls);
+  };
+  auto times = [&](double before, double after) {
+    return print("%9.2f > %8.2f", 1e3 * before, 1e3 * after);
+  };
+  line("effect", "", print("%16s %12s", "instructions", "calls"), "milliseconds",
+       "who asks, or why nobody does");
   for (const auto &[name, effect] : measured.effects) {
-    const char *state = effect.isKept() ? "kept" : "dropped";
-    if (effect.isMeasured)
-      line(name.c_str(), state, effect.before, effect.after, effect.costBefore, effect.costAfter,
-           reason(effect));
-    else
-      std::printf("%-12s %-60s %s\n", name.c_str(), state, reason(effect).c_str());
+    bool hasSize = effect.isMeasured && !effect.isOfScene;
+    line(name, effect.isKept() ? "kept" : "dropped",
+         hasSize ? sizes(effect.before, effect.after) : "",
+         effect.isMeasured ? times(effect.costBefore, effect.costAfter) : "", reason(effect));
   }
-  line("all", "", measured.before, measured.after, measured.secondsBefore, measured.secondsAfter,
-       "of the whole picture");
+  line("all", "", sizes(measured.before, measured.after),
+       times(measured.secondsBefore, measured.secondsAfter), "of the whole picture");
 }
 
 std::string number(double value) { return demand::shortest(value); }
@@ -262,11 +296,14 @@ std::string makeJson(const std::string &name, const Measured &measured) {
   bool isFirst = true;
   for (const auto &[effect, its] : measured.effects) {
     text += std::string(isFirst ? "" : ",") + "\n{\"effect\": " + demand::quoted(effect) +
+            ", \"of\": \"" + (its.isOfScene ? "scene" : "shaders") + "\"" +
             ", \"kept\": " + (its.isKept() ? "true" : "false") + list("requests", its.requests) +
             list("asking", its.asking) + list("outputs", its.outputs) +
             list("because", its.because) + list("dropped", its.dropped);
+    if (its.isMeasured && !its.isOfScene)
+      text += sizes(its.before, its.after);
     if (its.isMeasured)
-      text += sizes(its.before, its.after) + pair("seconds", its.costBefore, its.costAfter);
+      text += pair("seconds", its.costBefore, its.costAfter);
     text += "}";
     isFirst = false;
   }
@@ -295,10 +332,11 @@ std::string makePage(const std::string &name, const Measured &measured) {
   for (const auto &[effect, its] : measured.effects) {
     if (its.isKept())
       kept.push_back(rows.size());
+    bool hasSize = its.isMeasured && !its.isOfScene;
     rows.push_back({plot::escaped(effect), its.isKept() ? "kept" : "dropped",
                     its.isMeasured ? bar(its.costBefore, "--s5") + bar(its.costAfter, "--s0") : "",
-                    its.isMeasured ? figures(its.before.instructions, its.after.instructions) : "",
-                    its.isMeasured ? figures(its.before.calls, its.after.calls) : "",
+                    hasSize ? figures(its.before.instructions, its.after.instructions) : "",
+                    hasSize ? figures(its.before.calls, its.after.calls) : "",
                     "<div style=\"white-space: normal; min-width: 30em\">" +
                         plot::escaped(reason(its)) + "</div>"});
   }
