@@ -265,7 +265,13 @@ uint32_t Demand::assumptions() const {
     mayBeAmbient |= !isStandard;
     shines |= kind != "ambientlight";
   }
+  auto lacks = [&](const char *kind) {
+    return lights && std::find(lights->begin(), lights->end(), kind) == lights->end();
+  };
   return bit(ANYSL_ASSUMES_NO_LIGHTS, lights && !shines) |
+         bit(ANYSL_ASSUMES_NO_DISTANT_LIGHTS, lacks("distantlight")) |
+         bit(ANYSL_ASSUMES_NO_POINT_LIGHTS, lacks("pointlight")) |
+         bit(ANYSL_ASSUMES_NO_SPOT_LIGHTS, lacks("spotlight")) |
          bit(ANYSL_ASSUMES_NO_AMBIENT, lights && !mayBeAmbient) |
          bit(ANYSL_ASSUMES_NO_SHADOWS, shadows && !*shadows) |
          bit(ANYSL_ASSUMES_NO_OTHER_RAYS, othersTrace && !*othersTrace) |

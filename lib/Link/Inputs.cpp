@@ -172,6 +172,16 @@ static void adaptRays(const Session &session, Module &runtime) {
   carry->setLinkage(GlobalValue::ExternalLinkage);
 }
 
+/// Tells a runtime what the scene does without, in the bits of AnyslDemandInfo::assumes.
+static void adaptToScene(const Session &session, Module &runtime) {
+  auto *assumes = runtime.getNamedGlobal("anysl_scene_assumes");
+  if (!assumes)
+    return;
+  uint32_t bits = session.options.scene ? session.options.scene->assumptions() : 0;
+  assumes->setInitializer(ConstantInt::get(assumes->getValueType(), bits));
+  assumes->setLinkage(GlobalValue::ExternalLinkage);
+}
+
 static bool openTiers(Session &session) {
   std::vector<std::string> tiers = session.math.tiers();
   for (const std::string &tier : tiers) {
@@ -238,6 +248,7 @@ bool openLayers(Session &session) {
   if (!areOpen)
     return false;
   adaptRays(session, *session.layers.back().module);
+  adaptToScene(session, *session.layers.back().module);
   return openTiers(session);
 }
 

@@ -32,6 +32,7 @@ Grid::Grid(const GridOptions &given)
                                   options.environment)),
       lights(given.lights, services, options.environment) {
   adoptRecording();
+  lights.checkAllowed(library.get());
   for (const CoshaderText &coshader : options.coshaders)
     addCoshader(coshader);
   for (const ParamText &param : options.params)

@@ -7,6 +7,7 @@
 
 #include "lib/Shade/Lights.h"
 #include <algorithm>
+#include <anysl/demand.h>
 
 namespace anysl::shade {
 namespace {
@@ -114,6 +115,24 @@ void Lights::add(const RecordedShader &recording) {
 
 uint64_t Lights::globals() const {
   return anysl_lights_globals(lights.data(), uint32_t(lights.size()));
+}
+
+void Lights::checkAllowed(const AnyslLibrary *library) const {
+  AnyslSceneFacts facts = {};
+  facts.struct_size = sizeof facts;
+  auto note = [&](bool has, AnyslAssumption absence) { facts.has |= uint32_t(has) << absence; };
+  note(ambient[0] != 0 || ambient[1] != 0 || ambient[2] != 0, ANYSL_ASSUMES_NO_AMBIENT);
+  for (const AnyslLight &light : lights) {
+    note(true, ANYSL_ASSUMES_NO_LIGHTS);
+    note(light.flags & ANYSL_LIGHT_AMBIENT, ANYSL_ASSUMES_NO_AMBIENT);
+    note(light.flags & ANYSL_LIGHT_CASTS_SHADOW, ANYSL_ASSUMES_NO_SHADOWS);
+    note(light.kind == ANYSL_LIGHT_DISTANT, ANYSL_ASSUMES_NO_DISTANT_LIGHTS);
+    note(light.kind == ANYSL_LIGHT_POINT, ANYSL_ASSUMES_NO_POINT_LIGHTS);
+    note(light.kind == ANYSL_LIGHT_SPOT, ANYSL_ASSUMES_NO_SPOT_LIGHTS);
+  }
+  if (const AnyslDemandInfo *demand = anysl_library_demand(library))
+    facts.time = demand->time;
+  check(anysl_library_allows(library, &facts));
 }
 
 void Lights::shineOn(AnyslBatch *batch) const {

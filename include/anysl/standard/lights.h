@@ -18,8 +18,12 @@
 #ifndef ANYSL_STANDARD_LIGHTS_H
 #define ANYSL_STANDARD_LIGHTS_H
 
+#include <anysl/demand.h>
 #include <anysl/domain.h>
 #include <anysl/standard/message.h>
+
+/// Bits 1 << ANYSL_ASSUMES_...: what the scene does without that the library is linked for.
+extern "C" __attribute__((weak)) const uint32_t anysl_scene_assumes = 0;
 
 namespace anysl {
 
@@ -136,6 +140,21 @@ bool anysl_light_in_category(anysl_context *context, int32_t index, const anysl_
 
 namespace anysl {
 
+/// Whether the scene may have lights of a standard kind.
+inline bool mayShine(AnyslLightKind kind) {
+  AnyslAssumption absence = kind == ANYSL_LIGHT_DISTANT ? ANYSL_ASSUMES_NO_DISTANT_LIGHTS
+                            : kind == ANYSL_LIGHT_POINT ? ANYSL_ASSUMES_NO_POINT_LIGHTS
+                                                        : ANYSL_ASSUMES_NO_SPOT_LIGHTS;
+  return !(anysl_scene_assumes >> absence & 1);
+}
+
+/// Whether a light of a standard kind is of this one. Nobody looks where the scene has no others.
+inline bool isOfKind(const AnyslLight &light, AnyslLightKind kind) {
+  int kinds =
+      mayShine(ANYSL_LIGHT_DISTANT) + mayShine(ANYSL_LIGHT_POINT) + mayShine(ANYSL_LIGHT_SPOT);
+  return mayShine(kind) && (kinds == 1 || light.kind == uint32_t(kind));
+}
+
 /// A light of a standard kind.
 inline bool sampleStandard(const AnyslLight &light, const anysl_point &P, anysl_vector &L,
                            anysl_color &Cl) {
@@ -143,22 +162,17 @@ inline bool sampleStandard(const AnyslLight &light, const anysl_point &P, anysl_
   anysl_vector toLight = vectorFrom(light.from) - P;
   anysl_float strength(1);
   bool reaches = true;
-  switch (light.kind) {
-  case ANYSL_LIGHT_DISTANT:
+  if (isOfKind(light, ANYSL_LIGHT_DISTANT)) {
     toLight = -direction;
-    break;
-  case ANYSL_LIGHT_POINT:
+  } else if (isOfKind(light, ANYSL_LIGHT_POINT)) {
     strength = divide(anysl_float(1), dot(toLight, toLight));
-    break;
-  case ANYSL_LIGHT_SPOT: {
+  } else if (isOfKind(light, ANYSL_LIGHT_SPOT)) {
     anysl_float length = lengthOf(toLight.x, toLight.y, toLight.z);
     anysl_float cosine = divide(-dot(toLight, direction), length);
     reaches = cosine > light.cos_outer;
     strength = divide(power(cosine, anysl_float(light.beam)), dot(toLight, toLight)) *
                smoothEdge(anysl_float(light.cos_outer), anysl_float(light.cos_inner), cosine);
-    break;
-  }
-  default:
+  } else {
     reaches = false;
   }
   anysl_float zero(0);
@@ -224,11 +238,11 @@ void anysl_light_end(anysl_point *result, anysl_context *context, int32_t index,
   using namespace anysl;
   const AnyslLight &light = context->args->lights[index];
   *result = vectorFrom(light.from);
-  if (light.kind == ANYSL_LIGHT_DISTANT)
-    *result = *P - vectorFrom(light.direction) * anysl_float(distantLightDistance);
   if (light.kind == ANYSL_LIGHT_SHADER) {
     anysl_float far = divide(anysl_float(distantLightDistance), lengthOf(L->x, L->y, L->z));
     *result = *P + *L * (light.flags & ANYSL_LIGHT_FAR ? far : anysl_float(1));
+  } else if (isOfKind(light, ANYSL_LIGHT_DISTANT)) {
+    *result = *P - vectorFrom(light.direction) * anysl_float(distantLightDistance);
   }
 }
 
