@@ -146,6 +146,22 @@ struct Measured {
   double secondsBefore = 0, secondsAfter = 0;
 };
 
+/// Names the displays that show outputs among the reasons for these.
+void addDisplays(const SceneDescription &scene, Effects &effects) {
+  for (const OutputFile &file : scene.outputs)
+    for (const OutputVariable &variable : file.variables) {
+      std::string name = variable.name == "rgb" ? "Ci"
+                         : variable.name == "a" ? "Oi"
+                                                : variable.name;
+      if (auto found = effects.find("Outputs." + name);
+          found != effects.end() && found->second.isKept()) {
+        std::string place = demand::placeOf(file.where);
+        found->second.because.insert("Display \"" + file.name + "\"" +
+                                     (place.empty() ? "" : " " + place));
+      }
+    }
+}
+
 Measured measure(const Options &options, const SceneDescription &scene,
                  const std::vector<fs::path> &searchPath, Warnings &warnings) {
   auto make = [&](bool specialise, const std::string &without) {
@@ -167,6 +183,7 @@ Measured measure(const Options &options, const SceneDescription &scene,
     addUses(report, library->name + " (" + demand::placeOf(library->uses[0]->where) + ")",
             result.effects);
   }
+  addDisplays(scene, result.effects);
   std::map<std::string, SceneDescription> scenesWithout;
   for (const SceneEffect &its : sceneEffects(scene)) {
     Effect &effect = result.effects[its.name];
