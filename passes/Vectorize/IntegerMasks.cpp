@@ -18,9 +18,11 @@
 #include "llvm/Analysis/TargetTransformInfo.h"
 #include "llvm/Analysis/ValueTracking.h"
 #include "llvm/IR/IRBuilder.h"
+#include "llvm/IR/InstIterator.h"
 #include "llvm/IR/Module.h"
 #include "llvm/IR/PatternMatch.h"
 #include "llvm/TargetParser/Triple.h"
+#include "llvm/Transforms/Utils/Local.h"
 
 using namespace llvm;
 using namespace llvm::PatternMatch;
@@ -182,6 +184,55 @@ bool MaskRewriter::run() {
   return true;
 }
 
+/// A sign bit in the lanes in which \p condition is \p holds. That of a test of one bit is the bit
+/// itself, moved.
+static Value *signsWhere(IRBuilder<> &builder, Value *condition, bool holds, Type *integers) {
+  unsigned bits = integers->getScalarSizeInBits();
+  Constant *sign = ConstantInt::get(integers, APInt::getSignMask(bits));
+  CmpInst::Predicate predicate;
+  Value *number;
+  const APInt *bit;
+  if (match(condition, m_ICmp(predicate, m_And(m_Value(number), m_Power2(bit)), m_Zero())) &&
+      number->getType() == integers && ICmpInst::isEquality(predicate)) {
+    unsigned up = bits - 1 - bit->countr_zero();
+    Value *moved = builder.CreateShl(number, ConstantInt::get(integers, up));
+    if (holds != (predicate == CmpInst::ICMP_NE))
+      return builder.CreateAnd(builder.CreateNot(moved), sign);
+    return up == bits - 1 ? moved : builder.CreateAnd(moved, sign);
+  }
+  Value *wide = builder.CreateSExt(condition, integers);
+  return builder.CreateAnd(holds ? wide : builder.CreateNot(wide), sign);
+}
+
+/// A number whose sign is turned in some lanes: without mask registers a blend of it with its
+/// negative costs more than to flip the sign bits.
+static bool flipSigns(Function &function) {
+  SmallVector<SelectInst *, 8> blends;
+  for (Instruction &instruction : instructions(function)) {
+    Value *negated, *kept;
+    if (!match(&instruction, m_Select(m_Value(), m_FNeg(m_Value(negated)), m_Value(kept))) &&
+        !match(&instruction, m_Select(m_Value(), m_Value(kept), m_FNeg(m_Value(negated)))))
+      continue;
+    auto &select = cast<SelectInst>(instruction);
+    unsigned bits = select.getType()->getScalarSizeInBits();
+    if (negated == kept && isMask(select.getCondition()) && (bits == 32 || bits == 64))
+      blends.push_back(&select);
+  }
+  for (SelectInst *blend : blends) {
+    IRBuilder<> builder(blend);
+    bool holds = match(blend->getTrueValue(), m_FNeg(m_Specific(blend->getFalseValue())));
+    Value *number = holds ? blend->getFalseValue() : blend->getTrueValue();
+    auto *integers = VectorType::getInteger(cast<VectorType>(blend->getType()));
+    Value *signs = signsWhere(builder, blend->getCondition(), holds, integers);
+    Value *flipped = builder.CreateXor(builder.CreateBitCast(number, integers), signs);
+    Value *result = builder.CreateBitCast(flipped, blend->getType());
+    result->takeName(blend);
+    blend->replaceAllUsesWith(result);
+    RecursivelyDeleteTriviallyDeadInstructions(blend);
+  }
+  return !blends.empty();
+}
+
 /// Whether the processor has AVX-512's mask registers. LLVM does not tell; it knows an instruction
 /// that came with them if it knows the processor. A plugin only sees what the function's attributes
 /// say.
@@ -195,7 +246,8 @@ bool keepMasksAsIntegers(Function &function, const TargetTransformInfo &target) 
   if (!Triple(function.getParent()->getTargetTriple()).isX86() ||
       hasMaskRegisters(function, target))
     return false;
-  return MaskRewriter(function).run();
+  bool flipped = flipSigns(function);
+  return MaskRewriter(function).run() || flipped;
 }
 
 } // namespace anysl

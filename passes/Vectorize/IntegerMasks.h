@@ -19,7 +19,8 @@ namespace anysl {
 /// LLVM holds a vector of i1 that crosses a block, or that logic is done on, in lanes as narrow as
 /// fit one small register: eight lanes in 16 bits each. Comparisons make 32 bits a lane and blends
 /// want them, so every definition is packed and every use unpacked. The sign bit of a 32-bit lane
-/// is what AVX's blends, masked moves and movmskps look at.
+/// is what AVX's blends, masked moves and movmskps look at. Blends of a number and its negative
+/// become exclusive ors of the sign, as blends are the slower without mask registers.
 bool keepMasksAsIntegers(llvm::Function &function, const llvm::TargetTransformInfo &target);
 
 } // namespace anysl

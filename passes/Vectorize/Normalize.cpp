@@ -7,6 +7,7 @@
 
 #include "passes/Vectorize/Normalize.h"
 
+#include "passes/Vectorize/LoopExits.h"
 #include "passes/Vectorize/PrivateArrays.h"
 #include "passes/Vectorize/VectorAbi.h"
 
@@ -217,6 +218,10 @@ void normalize(Function &function, FunctionAnalysisManager &analyses,
   foldTrivialBranches(function);
   analyses.invalidate(function, PreservedAnalyses::none());
   check("lowering of switches");
+  if (mergeLoopExits(function)) {
+    analyses.invalidate(function, PreservedAnalyses::none());
+    check("merging of loops' exits");
+  }
   FunctionPassManager loops;
   loops.addPass(UnifyFunctionExitNodesPass());
   loops.addPass(FixIrreduciblePass());

@@ -39,6 +39,8 @@ Schedule::Schedule(const Function &function, const LoopInfo &loops, const Domina
     indices[block] = index;
   while (!build())
     reset();
+  for (unsigned index = 0; index < list.size(); ++index)
+    subtractLeavers(index);
 }
 
 //===-- Order ---------------------------------------------------------------===//
@@ -170,44 +172,53 @@ bool Schedule::needsLane(unsigned index) const {
   return false;
 }
 
-/// Whether jumping over a region costs less than running it idle. The units are about a cycle each;
-/// the limit is what a test and, now and then, a mispredicted jump cost.
+/// From which cost on a region is jumped over when it is empty: what a test and, now and then, a
+/// mispredicted jump cost. In halves of a cycle, as the costs are.
+static constexpr unsigned guardLimit = 24;
+
+/// What an instruction costs for all lanes, in halves of a cycle as processors of today have it:
+/// they begin two vector operations a cycle, but divide, take roots and gather part by part.
+unsigned Schedule::idleCost(const Instruction &instruction) const {
+  if (isa<PHINode>(instruction) || isa<DbgInfoIntrinsic>(instruction) ||
+      shapes.shapeOf(&instruction).isUniform())
+    return 0;
+  // Divisions and roots of 16 bytes come out every 4 and 6 cycles, of wider registers less often.
+  unsigned bits = unsigned(instruction.getType()->getScalarSizeInBits()) * shapes.lanes();
+  unsigned parts = std::max(1u, bits / 128);
+  switch (instruction.getOpcode()) {
+  case Instruction::Call:
+    if (const auto *call = dyn_cast<IntrinsicInst>(&instruction))
+      if (call->getIntrinsicID() == Intrinsic::sqrt)
+        return 12 * parts;
+    return isHarmless(instruction) ? 4 : guardLimit;
+  case Instruction::FDiv:
+    return 8 * parts;
+  case Instruction::FRem:
+  case Instruction::UDiv:
+  case Instruction::SDiv:
+  case Instruction::URem:
+  case Instruction::SRem:
+    return guardLimit;
+  case Instruction::Load:
+  case Instruction::Store:
+    return shapes.shapeOf(getLoadStorePointerOperand(&instruction)).isVarying()
+               ? std::max(6u, 3 * shapes.lanes() / 2)
+               : 6;
+  default:
+    return 1;
+  }
+}
+
+/// Whether jumping over a region costs less than running it idle.
 bool Schedule::isWorthGuard(unsigned index) const {
-  constexpr unsigned limit = 24;
   unsigned cost = 0;
-  for (unsigned i = index; i < sequence.size(); ++i) {
+  for (unsigned i = index; i < sequence.size() && cost < guardLimit; ++i) {
     if (!dominators.dominates(sequence[index], sequence[i]))
       break;
-    for (const Instruction &instruction : *sequence[i]) {
-      if (isa<PHINode>(instruction) || isa<DbgInfoIntrinsic>(instruction) ||
-          shapes.shapeOf(&instruction).isUniform())
-        continue;
-      switch (instruction.getOpcode()) {
-      case Instruction::Call:
-        cost += isHarmless(instruction) ? 4 : limit;
-        break;
-      case Instruction::FDiv:
-      case Instruction::FRem:
-        cost += 8;
-        break;
-      case Instruction::UDiv:
-      case Instruction::SDiv:
-      case Instruction::URem:
-      case Instruction::SRem:
-        cost += limit;
-        break;
-      case Instruction::Load:
-      case Instruction::Store:
-        cost += 6;
-        break;
-      default:
-        ++cost;
-      }
-    }
-    if (cost >= limit)
-      return true;
+    for (const Instruction &instruction : *sequence[i])
+      cost += idleCost(instruction);
   }
-  return false;
+  return cost >= guardLimit;
 }
 
 //===-- The schedule --------------------------------------------------------===//
@@ -254,6 +265,40 @@ unsigned Schedule::leaderOf(unsigned index) const {
     break;
   }
   return index;
+}
+
+/// Whoever is in the dominator comes to the block, or leaves the way to it by one of the edges from
+/// a block that leads there to one that does not. Where fewer edges leave than arrive, such as
+/// below a `switch` of which one case continues the loop, masks need fewer operations and, as those
+/// of the cases are not waited for, come sooner.
+void Schedule::subtractLeavers(unsigned index) {
+  Plan &plan = list[index];
+  const Loop *loop = loops.getLoopFor(plan.block);
+  if (plan.leader != index || plan.full || index == 0 || (loop && loop->getHeader() == plan.block))
+    return;
+  auto *node = dominators.getNode(plan.block)->getIDom();
+  while (node && loops.getLoopFor(node->getBlock()) != loop)
+    node = node->getIDom();
+  if (!node)
+    return;
+  const BasicBlock *above = node->getBlock();
+  SmallPtrSet<const BasicBlock *, 16> leading = {above};
+  SmallVector<const BasicBlock *, 16> stack = {plan.block};
+  unsigned arriving = pred_size(plan.block);
+  while (!stack.empty())
+    for (const BasicBlock *before : predecessors(stack.pop_back_val()))
+      if (dominators.isReachableFromEntry(before) && leading.insert(before).second)
+        stack.push_back(before);
+  SmallVector<std::pair<unsigned, unsigned>, 2> leaving;
+  for (const BasicBlock *block : leading)
+    for (const BasicBlock *next : successors(block))
+      if (next != plan.block && !leading.contains(next))
+        leaving.push_back({indexOf(block), indexOf(next)});
+  if (leaving.empty() || leaving.size() >= arriving)
+    return;
+  sort(leaving);
+  plan.above = indexOf(above);
+  plan.without = leaving;
 }
 
 /// Sends the lanes bound for \p targets on: the first runs next, for the others they wait. \p
@@ -395,6 +440,11 @@ void Schedule::print(raw_ostream &out) const {
       out << " perhaps empty";
     if (plan.leader != index)
       out << ", mask of " << nameOf(plan.leader);
+    if (plan.above != None) {
+      out << ", mask of " << nameOf(plan.above) << " without";
+      for (auto [from, to] : plan.without)
+        out << " " << nameOf(from) << "->" << nameOf(to);
+    }
     if (!plan.pending.empty()) {
       out << ", pending";
       for (unsigned pending : plan.pending)

@@ -44,6 +44,10 @@ public:
     bool full = false;
     /// The block whose mask this one has.
     unsigned leader = None;
+    /// Where it takes fewer operations than to collect the lanes that come: the mask is that of the
+    /// block `above` without the lanes that take one of these edges. None if `above` is None.
+    unsigned above = None;
+    llvm::SmallVector<std::pair<unsigned, unsigned>, 2> without;
     Exit exit = Exit::Jump;
     unsigned next[2] = {None, None};
   };
@@ -70,7 +74,9 @@ private:
   unsigned leaderOf(unsigned index) const;
   bool alwaysMeets(const llvm::BasicBlock *from, const llvm::BasicBlock *to,
                    const llvm::Loop *loop) const;
+  void subtractLeavers(unsigned index);
   bool needsLane(unsigned index) const;
+  unsigned idleCost(const llvm::Instruction &instruction) const;
   bool isWorthGuard(unsigned index) const;
   bool dominatesNode(unsigned a, unsigned b) const;
 

@@ -28,6 +28,7 @@ public:
   ShapeAnalysis(const llvm::Function &function, const llvm::LoopInfo &loops,
                 llvm::ArrayRef<Shape> argumentShapes, unsigned width);
 
+  unsigned lanes() const { return width; }
   Shape shapeOf(const llvm::Value *value) const;
   /// Whether lanes may take different successors here at the same time.
   bool isDivergentBranch(const llvm::BasicBlock *block) const {

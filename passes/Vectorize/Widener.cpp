@@ -183,6 +183,23 @@ AllocaInst *Widener::maskVariable(unsigned leader) {
   return memory;
 }
 
+AllocaInst *Widener::leftVariable(unsigned index) {
+  AllocaInst *&memory = leftVariables[index];
+  if (!memory) {
+    Type *type = allOn()->getType();
+    const BasicBlock *home = schedule.plan(index).block;
+    memory = variable(type, Constant::getNullValue(type), home, home->getName() + ".left");
+  }
+  return memory;
+}
+
+/// Gives a block the mask that `above` and `without` of its plan describe.
+void Widener::subtractLeavers(unsigned index) {
+  Value *left = builder.CreateLoad(allOn()->getType(), leftVariable(index));
+  Value *mask = builder.CreateAnd(maskOf(schedule.plan(index).above), builder.CreateNot(left));
+  builder.CreateStore(mask, maskVariable(index));
+}
+
 Value *Widener::maskOf(unsigned index) {
   const Schedule::Plan &plan = schedule.plan(index);
   if (plan.full)
@@ -246,6 +263,8 @@ void Widener::emitEntry() {
     if (!emitted.entry)
       emitted.entry = emitted.body;
     blocks.push_back(emitted);
+    for (auto edge : plan.without)
+      leavers[edge].push_back(blocks.size() - 1);
   }
 
   SmallVector<Value *, 8> arguments = signature.unpackArguments(builder, widened);
@@ -294,8 +313,10 @@ void Widener::emitBlock(unsigned index) {
   fetched.clear();
   loadedMasks.clear();
   builder.SetCurrentDebugLocation(DebugLoc());
+  builder.SetInsertPoint(blocks[index].entry);
+  if (plan.above != Schedule::None)
+    subtractLeavers(index);
   if (plan.guarded) {
-    builder.SetInsertPoint(blocks[index].entry);
     builder.CreateCondBr(anyLane(currentMask()), blocks[index].body, blocks[plan.skipTo].entry);
   }
   builder.SetInsertPoint(blocks[index].body);
@@ -348,7 +369,12 @@ void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool di
     builder.CreateStore(value, memory);
   }
 
-  if (plan.leader != target || plan.full)
+  for (unsigned index : leavers.lookup({from, target})) {
+    AllocaInst *left = leftVariable(index);
+    Value *before = builder.CreateLoad(mask->getType(), left);
+    builder.CreateStore(builder.CreateOr(before, mask), left);
+  }
+  if (plan.leader != target || plan.full || plan.above != Schedule::None)
     return;
   AllocaInst *memory = maskVariable(target);
   if (!replaces && !isAll(mask))

@@ -66,6 +66,8 @@ private:
   Value *anyLane(Value *mask);
   Value *andMask(Value *mask, Value *condition);
   llvm::AllocaInst *maskVariable(unsigned leader);
+  llvm::AllocaInst *leftVariable(unsigned index);
+  void subtractLeavers(unsigned index);
   llvm::AllocaInst *phiVariable(const llvm::PHINode &phi);
   llvm::AllocaInst *variable(llvm::Type *type, Value *initial, const llvm::BasicBlock *home,
                              const llvm::Twine &name);
@@ -165,6 +167,9 @@ private:
   llvm::DenseMap<Value *, Value *> fetched; ///< in the current block
   llvm::DenseMap<const llvm::PHINode *, llvm::AllocaInst *> phiVariables;
   llvm::DenseMap<unsigned, llvm::AllocaInst *> maskVariables;
+  llvm::DenseMap<unsigned, llvm::AllocaInst *> leftVariables; ///< who took an edge of `without`
+  /// The blocks of whose `without` an edge is part.
+  llvm::DenseMap<std::pair<unsigned, unsigned>, llvm::SmallVector<unsigned, 2>> leavers;
   llvm::DenseMap<unsigned, Value *> loadedMasks; ///< in the current block, by leader
   llvm::SmallVector<llvm::AllocaInst *, 32> variables;
 };

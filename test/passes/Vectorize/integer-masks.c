@@ -38,3 +38,22 @@ float shrink(float x, float limit) {
   }
   return steps * x;
 }
+
+// A sign that some lanes turn is an exclusive or, not a blend of a number and its negative: of all bits of a comparison
+// the sign's, or a bit of an integer moved to where the sign is.
+// CHECK-LABEL: define {{.*}}@_ZGVdN8vvv_turn(
+// CHECK-NOT: fneg
+// CHECK-DAG: shl <8 x i32> %{{.*}}, {{(splat \(i32 31\)|<i32 31)}}
+// CHECK-DAG: shl <8 x i32> %{{.*}}, {{(splat \(i32 29\)|<i32 29)}}
+// CHECK-DAG: and <8 x i32> %{{.*}}, {{(splat \(i32 -2147483648\)|<i32 -2147483648)}}
+// CHECK-NOT: fneg
+// CHECK: ret <8 x float>
+// REGISTERS-LABEL: define {{.*}}@_ZGVeN16vvv_turn(
+// REGISTERS: fneg <16 x float>
+// ASM-LABEL: _ZGVdN8vvv_turn:
+// ASM-NOT: vblendvps
+// ASM: ret
+#pragma omp declare simd notinbranch
+float turn(float x, float y, unsigned bits) {
+  return ((bits & 1) ? -x : x) * ((bits & 4) ? y : -y) + (x > y ? -(x * y) : x * y);
+}

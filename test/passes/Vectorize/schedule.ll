@@ -111,3 +111,56 @@ around:
 end:
   ret void
 }
+
+; More ways lead to `join` than lanes have to leave the way to it: it has whom nobody saw leaving.
+; CHECK-LABEL: schedule of leavers
+; CHECK: join: perhaps empty, mask of body without second->latch, pending
+; CHECK: latch: perhaps empty, mask of body without join->[[END:[a-z.]+]], pending [[END]]
+define i32 @leavers(i32 %n, i32 %x, i32 %y) "_ZGV_LLVM_N8vvv_leavers" {
+entry:
+  br label %body
+body:
+  %k = phi i32 [ 0, %entry ], [ %next, %latch ]
+  %c = icmp sgt i32 %x, %k
+  br i1 %c, label %first, label %second
+first:
+  %d = icmp sgt i32 %y, %k
+  br i1 %d, label %third, label %join
+third:
+  br label %join
+second:
+  %e = icmp slt i32 %y, %k
+  br i1 %e, label %join, label %latch
+join:
+  %v = phi i32 [ 1, %first ], [ 2, %third ], [ 3, %second ]
+  %w = mul i32 %v, %x
+  %f = icmp eq i32 %w, %k
+  br i1 %f, label %out, label %latch
+latch:
+  %l = phi i32 [ %w, %join ], [ 0, %second ]
+  %next = add i32 %k, 1
+  %again = icmp slt i32 %next, %n
+  br i1 %again, label %body, label %end
+out:
+  ret i32 %w
+end:
+  ret i32 %l
+}
+
+; A division is quick for four lanes and takes its time for sixteen, where a jump costs less.
+; CHECK-LABEL: _ZGV_LLVM_N16v_inverse
+; CHECK: positive: occupied, pending end, skipped to end
+; CHECK-LABEL: _ZGV_LLVM_N4v_inverse
+; CHECK: positive: perhaps empty, pending end{{$}}
+define float @inverse(float %x) "_ZGV_LLVM_N4v_inverse" "_ZGV_LLVM_N16v_inverse" {
+entry:
+  %c = fcmp ogt float %x, 0.0
+  br i1 %c, label %positive, label %end
+positive:
+  %y = fdiv float 1.0, %x
+  %z = fadd float %y, 1.0
+  br label %end
+end:
+  %r = phi float [ %x, %entry ], [ %z, %positive ]
+  ret float %r
+}

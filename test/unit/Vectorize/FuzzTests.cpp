@@ -8,7 +8,7 @@
 // Fixed seeds, so that a run can be repeated. ANYSL_FUZZ_COUNT=N tests N functions instead of a few
 // hundred, ANYSL_FUZZ_FIRST=S starts at another seed, ANYSL_FUZZ_WRITE=DIR writes each failing
 // function to a file, which ANYSL_FUZZ_FILE=FILE with the hidden test "[file]" runs again (for
-// llvm-reduce; ANYSL_FUZZ_WIDTH and ANYSL_FUZZ_FLAGS say how), ANYSL_DUMP=1 prints what is compiled.
+// llvm-reduce; ANYSL_FUZZ_WIDTH, ANYSL_FUZZ_OPTIMIZE and ANYSL_FUZZ_FLAGS say how), ANYSL_DUMP=1 prints what is compiled.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -81,6 +81,8 @@ TEST_CASE("the function fuzz of a file gives the same bits in every lane", "[.fi
   how.width = number("ANYSL_FUZZ_WIDTH", 8);
   how.cpu = how.width == 4 ? "x86-64-v2" : how.width == 8 ? "x86-64-v3" : "x86-64-v4";
   how.rounds = 8;
+  how.seed = number("ANYSL_FUZZ_FIRST", 1);
+  how.optimizeScalar = number("ANYSL_FUZZ_OPTIMIZE", 0);
   how.mindFlags = number("ANYSL_FUZZ_FLAGS", 0);
   CHECK(compareLanes(*module, "fuzz", how) == "");
 }

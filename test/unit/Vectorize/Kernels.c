@@ -57,6 +57,15 @@ void overflow(Args *a, int lane) {
   a->lo[0][lane] = product;
 }
 
+void turnedSigns(Args *a, int lane) {
+  float x = a->f[0][lane], y = a->f[1][lane];
+  double z = a->d[0][lane];
+  unsigned bits = a->i[0][lane];
+  a->fo[0][lane] = ((bits & 1) ? -x : x) + ((bits & 64) ? y : -y);
+  a->fo[1][lane] = x < y ? -x : x;
+  a->dout[0][lane] = ((bits & 2) ? -z : z) * ((a->l[0][lane] & 4) ? a->d[1][lane] : -a->d[1][lane]);
+}
+
 /*===-- Branches ------------------------------------------------------------===*/
 
 void ifElse(Args *a, int lane) {
@@ -346,6 +355,44 @@ void stateMachine(Args *a, int lane) {
 done:
   a->io[0][lane] = r;
   a->io[1][lane] = x;
+}
+
+/* Exits that meet after an operation each, beside one that does more; some lanes go on early. */
+void manyExits(Args *a, int lane) {
+  int x = a->i[0][lane], bound = a->i[1][lane] & 31, found = -1, k = 0, skipped = 0;
+  for (;;) {
+    x = x * 1664525 + 1013904223;
+    if (x < -2000000000) {
+      found = k + 7;
+      break;
+    }
+    x ^= x >> 9;
+    if (x & 4) {
+      skipped += k;
+      if (x & 8)
+        skipped ^= x;
+      else if (k > bound)
+        goto tooFar;
+      if ((x & 48) == 48)
+        goto next;
+    }
+    if ((x & 0x3c0) == 0x140) {
+      found = k * 2;
+      break;
+    }
+    found = found * 3 + k;
+  next:
+    if (++k >= 64) {
+      found = 1000;
+      break;
+    }
+  }
+  a->io[1][lane] = skipped;
+  a->io[0][lane] = found;
+  return;
+tooFar:
+  a->io[1][lane] = x / (k + 1);
+  a->io[0][lane] = -found;
 }
 
 /*===-- Memory --------------------------------------------------------------===*/
