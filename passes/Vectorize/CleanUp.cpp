@@ -7,6 +7,7 @@
 
 #include "passes/Vectorize/CleanUp.h"
 
+#include "passes/Vectorize/AllActive.h"
 #include "passes/Vectorize/IntegerMasks.h"
 #include "passes/Vectorize/StridedAccess.h"
 #include "passes/Vectorize/Unmask.h"
@@ -60,7 +61,15 @@ void cleanUp(Function &function, FunctionAnalysisManager &analyses,
   bool changed = widenStridedAccess(function);
   check("widening of strided access");
   const TargetTransformInfo &target = analyses.getResult<TargetIRAnalysis>(function);
-  changed |= unmaskGathers(function, target);
+  if (addAllActiveForms(function, target)) {
+    check("adding forms for all lanes");
+    analyses.invalidate(function, PreservedAnalyses::none());
+    FunctionPassManager fold;
+    fold.addPass(InstCombinePass());
+    fold.run(function, analyses);
+    changed = true;
+  }
+  changed |= unmaskAccesses(function, target);
   check("unmasking");
   changed |= keepMasksAsIntegers(function, target);
   check("rewriting of masks");

@@ -1,4 +1,4 @@
-//===-- passes/Vectorize/Unmask.cpp - gathers where processors have none ----------------------===//
+//===-- passes/Vectorize/Unmask.cpp - masks where processors know none ------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -26,7 +26,47 @@ static bool isNative(const IntrinsicInst &call, bool isLoad, const TargetTransfo
                       !target.forceScalarizeMaskedScatter(type, align);
 }
 
-bool unmaskGathers(Function &function, const TargetTransformInfo &target) {
+Value *maskDoneLaneByLane(const Instruction &instruction, const TargetTransformInfo &target) {
+  const auto *call = dyn_cast<IntrinsicInst>(&instruction);
+  Intrinsic::ID id = call ? call->getIntrinsicID() : Intrinsic::not_intrinsic;
+  if (id != Intrinsic::masked_load && id != Intrinsic::masked_store)
+    return nullptr;
+  bool isLoad = id == Intrinsic::masked_load;
+  Type *type = isLoad ? call->getType() : call->getArgOperand(0)->getType();
+  Align align(cast<ConstantInt>(call->getArgOperand(isLoad ? 1 : 2))->getZExtValue());
+  Value *mask = call->getArgOperand(isLoad ? 2 : 3);
+  bool isWhole =
+      isLoad ? target.isLegalMaskedLoad(type, align) : target.isLegalMaskedStore(type, align);
+  return isWhole || isa<Constant>(mask) ? nullptr : mask;
+}
+
+/// Makes a gather or a scatter of each access to consecutive memory that is one to the processor.
+static void gatherConsecutive(Function &function, const TargetTransformInfo &target) {
+  for (Instruction &instruction : make_early_inc_range(instructions(function))) {
+    Value *mask = maskDoneLaneByLane(instruction, target);
+    if (!mask)
+      continue;
+    auto &call = cast<IntrinsicInst>(instruction);
+    bool isLoad = call.getIntrinsicID() == Intrinsic::masked_load;
+    auto *type = cast<FixedVectorType>(isLoad ? call.getType() : call.getArgOperand(0)->getType());
+    IRBuilder<> builder(&call);
+    SmallVector<Constant *, 32> places;
+    for (unsigned lane = 0; lane < type->getNumElements(); ++lane)
+      places.push_back(builder.getInt64(lane));
+    Value *lanes = builder.CreateGEP(type->getElementType(), call.getArgOperand(isLoad ? 0 : 1),
+                                     ConstantVector::get(places));
+    Align align(cast<ConstantInt>(call.getArgOperand(isLoad ? 1 : 2))->getZExtValue());
+    CallInst *made =
+        isLoad ? builder.CreateMaskedGather(type, lanes, align, mask, call.getArgOperand(3))
+               : builder.CreateMaskedScatter(call.getArgOperand(0), lanes, align, mask);
+    made->copyMetadata(call);
+    call.replaceAllUsesWith(made);
+    call.eraseFromParent();
+  }
+}
+
+bool unmaskAccesses(Function &function, const TargetTransformInfo &target) {
+  gatherConsecutive(function, target);
   SmallVector<IntrinsicInst *, 8> calls;
   for (Instruction &instruction : instructions(function))
     if (auto *call = dyn_cast<IntrinsicInst>(&instruction)) {
@@ -39,15 +79,17 @@ bool unmaskGathers(Function &function, const TargetTransformInfo &target) {
     return false;
 
   IRBuilder<> builder(&*function.getEntryBlock().getFirstInsertionPt());
-  AllocaInst *place = builder.CreateAlloca(builder.getInt64Ty(), nullptr, "idle");
-  builder.CreateStore(builder.getInt64(0), place);
+  // What idle lanes store must not come back to them: a place to read from, and one to write to.
+  AllocaInst *zero = builder.CreateAlloca(builder.getInt64Ty(), nullptr, "idle");
+  AllocaInst *sink = builder.CreateAlloca(builder.getInt64Ty(), nullptr, "idle.written");
+  builder.CreateStore(builder.getInt64(0), zero);
   for (IntrinsicInst *call : calls) {
     bool isLoad = call->getIntrinsicID() == Intrinsic::masked_gather;
     builder.SetInsertPoint(call);
     Value *mask = call->getArgOperand(isLoad ? 2 : 3);
     Value *lanes = call->getArgOperand(isLoad ? 0 : 1);
     ElementCount count = cast<VectorType>(lanes->getType())->getElementCount();
-    Value *idle = builder.CreateVectorSplat(count, place);
+    Value *idle = builder.CreateVectorSplat(count, isLoad ? zero : sink);
     call->setArgOperand(isLoad ? 0 : 1, builder.CreateSelect(mask, lanes, idle));
     call->setArgOperand(isLoad ? 2 : 3, Constant::getAllOnesValue(mask->getType()));
     // What is known of the memory that the active lanes access does not hold for the idle ones'.

@@ -13,10 +13,15 @@
 
 namespace anysl {
 
-/// Takes the masks off gathers and scatters that the processor does lane by lane: idle lanes access
-/// a place of their own on the stack instead. LLVM would test each lane's bit of the mask and jump.
-/// Returns whether anything changed.
-bool unmaskGathers(llvm::Function &function, const llvm::TargetTransformInfo &target);
+/// The mask, known only when it runs, of a load or store of consecutive memory that the processor
+/// does lane by lane; null for all other instructions.
+llvm::Value *maskDoneLaneByLane(const llvm::Instruction &instruction,
+                                const llvm::TargetTransformInfo &target);
+
+/// Takes the masks off loads, stores, gathers and scatters that the processor does lane by lane:
+/// idle lanes access a place of their own on the stack instead. LLVM would test each lane's bit of
+/// the mask and jump. Returns whether anything changed.
+bool unmaskAccesses(llvm::Function &function, const llvm::TargetTransformInfo &target);
 
 } // namespace anysl
 

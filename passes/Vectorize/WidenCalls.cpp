@@ -280,6 +280,71 @@ bool Widener::tryVariant(CallInst &call, const VariantName &variant, Function &c
   return true;
 }
 
+/// The function that a variant's name stands for, declared if need be; null if that cannot be.
+Function *Widener::variantNamed(const VariantName &variant, Function &callee) {
+  Module &module = *scalar.getParent();
+  if (Function *known = module.getFunction(variant.functionName))
+    return known;
+  // Somebody else's: it is declared as the ABI says. LLVM's own names have no such promise, but
+  // where the callee is defined here, its variants will be, too.
+  std::string why;
+  auto form = VariantSignature::get(variant, callee.getFunctionType(), layout, why);
+  if (!form || (variant.isa == Isa::Llvm && callee.isDeclaration()))
+    return nullptr;
+  auto *declared =
+      Function::Create(form->type(), GlobalValue::ExternalLinkage, variant.functionName, module);
+  form->addAttributes(*declared);
+  return declared;
+}
+
+/// Where there is a variant for all lanes only: calls it if all are active, and the scalar function
+/// once per active lane otherwise.
+bool Widener::callIfAllActive(CallInst &call, const VariantName &variant, Function &callee) {
+  std::string why;
+  auto form = VariantSignature::getFor(variant, call.getFunctionType(), callee, why);
+  if (!form)
+    return false;
+  // Whatever either side uses comes from before the test.
+  Value *mask = currentMask();
+  SmallVector<Value *, 8> arguments;
+  for (auto [param, operand] : zip(variant.params, call.args())) {
+    Value *lanes = shapeOf(operand).isVarying() ? vector(operand) : base(operand);
+    arguments.push_back(param.kind == VariantParam::Kind::Vector ? vector(operand) : lanes);
+  }
+  BasicBlock *all =
+      BasicBlock::Create(context, "all", &widened, builder.GetInsertBlock()->getNextNode());
+  BasicBlock *some = BasicBlock::Create(context, "some", &widened, all->getNextNode());
+  BasicBlock *after = BasicBlock::Create(context, "called", &widened, some->getNextNode());
+  Value *bits = builder.CreateBitCast(mask, builder.getIntNTy(width));
+  builder.CreateCondBr(builder.CreateICmpEQ(bits, Constant::getAllOnesValue(bits->getType())), all,
+                       some);
+  builder.SetInsertPoint(all);
+  Value *result;
+  CallInst *made = form->call(builder, &callee, arguments, result);
+  made->setDebugLoc(call.getDebugLoc());
+  if (call.doesNotThrow())
+    made->setDoesNotThrow();
+  BasicBlock *allEnd = builder.GetInsertBlock();
+  builder.CreateBr(after);
+
+  builder.SetInsertPoint(some);
+  remark(VectorizeRemark::Kind::LaneByLane, call,
+         Twine("calls ") + call.getCalledFunction()->getName() +
+             " once per active lane unless all are active, as it has no variant with a mask for " +
+             Twine(width) + " lanes");
+  replicate(call);
+  BasicBlock *someEnd = builder.GetInsertBlock();
+  builder.CreateBr(after);
+  builder.SetInsertPoint(after);
+  if (result) {
+    PHINode *joined = builder.CreatePHI(result->getType(), 2);
+    joined->addIncoming(result, allEnd);
+    joined->addIncoming(definitions.lookup(&call), someEnd);
+    define(call, joined);
+  }
+  return true;
+}
+
 /// Calls the best variant there is: one that the module or the callee's declaration names, else one
 /// made from its body.
 bool Widener::callVariant(CallInst &call) {
@@ -292,9 +357,9 @@ bool Widener::callVariant(CallInst &call) {
     VariantName name;
     int score;
   };
-  SmallVector<Choice, 4> choices;
+  SmallVector<Choice, 4> choices, forAll;
   auto consider = [&](const VariantName &variant) {
-    if (variant.width != width || !argumentsFit(call, variant) || (!variant.masked && !isFull()))
+    if (variant.width != width || !argumentsFit(call, variant))
       return;
     int score = preference(variant.isa, name.isa);
     if (score < 0 || (name.isa == Isa::Llvm && !hasFeatures(widened, variant.isa)))
@@ -303,34 +368,27 @@ bool Widener::callVariant(CallInst &call) {
     score = score * 64 + (isFull() != variant.masked ? 32 : 0);
     for (const VariantParam &param : variant.params)
       score += param.kind != VariantParam::Kind::Vector;
-    choices.push_back({variant, score});
+    (variant.masked || isFull() ? choices : forAll).push_back({variant, score});
   };
   for (const VariantName &variant : variantNames(call.getAttributes()))
     consider(variant);
   for (const VariantName &variant : variantNames(callee->getAttributes()))
     consider(variant);
-  llvm::sort(choices, [](const Choice &a, const Choice &b) { return a.score > b.score; });
+  auto isBetter = [](const Choice &a, const Choice &b) { return a.score > b.score; };
+  llvm::sort(choices, isBetter);
+  llvm::sort(forAll, isBetter);
 
-  Module &module = *scalar.getParent();
-  for (const Choice &choice : choices) {
-    Function *variant = module.getFunction(choice.name.functionName);
-    if (!variant) {
-      // Somebody else's: it is declared as the ABI says. LLVM's own names have no such promise, but
-      // where the callee is defined here, its variants will be, too.
-      std::string why;
-      auto form = VariantSignature::get(choice.name, callee->getFunctionType(), layout, why);
-      if (!form || (choice.name.isa == Isa::Llvm && callee->isDeclaration()))
-        continue;
-      variant = Function::Create(form->type(), GlobalValue::ExternalLinkage,
-                                 choice.name.functionName, module);
-      form->addAttributes(*variant);
-    }
-    if (tryVariant(call, choice.name, *variant))
+  for (const Choice &choice : choices)
+    if (Function *variant = variantNamed(choice.name, *callee);
+        variant && tryVariant(call, choice.name, *variant))
       return true;
-  }
-
-  if (callee->isDeclaration() || callee->isInterposable())
+  if (callee->isDeclaration() || callee->isInterposable()) {
+    for (const Choice &choice : forAll)
+      if (Function *variant = variantNamed(choice.name, *callee);
+          variant && callIfAllActive(call, choice.name, *variant))
+        return true;
     return false;
+  }
   VariantProvider::Request request{callee, {}, !isFull(), width, name.isa, &widened};
   for (auto [i, operand] : enumerate(call.args())) {
     Shape shape = shapeOf(operand);

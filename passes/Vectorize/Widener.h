@@ -129,6 +129,8 @@ private:
   bool shiftsThroughFloats() const;
   bool callVariant(llvm::CallInst &call);
   bool tryVariant(llvm::CallInst &call, const VariantName &name, llvm::Function &variant);
+  bool callIfAllActive(llvm::CallInst &call, const VariantName &name, llvm::Function &variant);
+  llvm::Function *variantNamed(const VariantName &variant, llvm::Function &callee);
   bool argumentsFit(llvm::CallInst &call, const VariantName &name);
 
   void remark(VectorizeRemark::Kind kind, const Instruction &at, const llvm::Twine &message) {

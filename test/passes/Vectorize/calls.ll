@@ -11,6 +11,9 @@ declare <8 x float> @both_all(<8 x float>)
 declare <8 x float> @both_some(<8 x float>, <8 x i1>)
 declare float @both(float) "_ZGV_LLVM_N8v_both(both_all)" "_ZGV_LLVM_M8v_both(both_some)"
 declare float @pure(float) #0
+; REMARK: calls whole once per active lane unless all are active
+declare <8 x float> @whole_x8(<8 x float>)
+declare float @whole(float) "_ZGV_LLVM_N8v_whole(whole_x8)"
 
 define float @helper(float %x, float %y, ptr %p) noinline {
   %v = load float, ptr %p
@@ -91,3 +94,23 @@ define void @addresses(ptr %a, i32 %i) "_ZGV_LLVM_M8ul_addresses" {
 declare void @serviceVoid(ptr, i32, float, ptr) "_ZGV_LLVM_M8ulvl4_serviceVoid(service_x8)"
 
 attributes #0 = { nounwind willreturn memory(none) }
+
+; What can only be called for all lanes is, if all are active.
+; CHECK-LABEL: define void @_ZGV_LLVM_N8ul_perhapsWhole(
+; CHECK: [[TEST:%.*]] = fcmp ogt <8 x float>
+; CHECK: i8 -1, label %all
+; CHECK: call <8 x float> @whole_x8(<8 x float>
+; CHECK: call float @whole(float
+; CHECK: phi <8 x float>
+define void @perhapsWhole(ptr %a, i32 %i) "_ZGV_LLVM_N8ul_perhapsWhole" {
+  %p = getelementptr float, ptr %a, i32 %i
+  %x = load float, ptr %p
+  %c = fcmp ogt float %x, 0.0
+  br i1 %c, label %then, label %end
+then:
+  %d = call float @whole(float %x)
+  store float %d, ptr %p
+  br label %end
+end:
+  ret void
+}

@@ -405,6 +405,18 @@ void gathers(Args *a, int lane) {
   a->io[1][lane] = a->points[lane].id;
 }
 
+/* What idle lanes store must not be what they load: the choice between r and 0 may become one load. */
+void idleStores(Args *a, int lane) {
+  int own[8] = {0};
+  float r = 0;
+  if (a->i[0][lane] > 0) {
+    own[a->i[1][lane] & 7] = 77;
+    r = a->table[a->index[lane]];
+  }
+  a->fo[0][lane] = r;
+  a->io[0][lane] = own[a->i[2][lane] & 7];
+}
+
 void scatters(Args *a, int lane) {
   int *row = a->priv[lane];
   for (int k = 0; k < PRIVATE; ++k)
