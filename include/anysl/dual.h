@@ -428,9 +428,14 @@ inline Dual<Real> limitToUnit(const Dual<Real> &x) {
   Dual<Real> y = select(x > 1, Dual<Real>(1), x);
   return select(y < -1, Dual<Real>(-1), y);
 }
+/// Beyond the largest number it is constant.
 template <typename Real>
 inline Dual<Real> power(const Dual<Real> &x, const Dual<Real> &y) {
-  return math::powerRule(power(x.value, y.value), x, y);
+  Real value = power(x.value, y.value);
+  bool isFinite = absOf(valueOf(value)) < IeeeFormat<PlainOf<Real>>::largestFinite;
+  Dual<Real> result = math::powerRule(select(isFinite, value, Real(0)), x, y);
+  result.value = value;
+  return result;
 }
 /// a' - b' floor(a/b), at a jump from the right; 0 for b = 0.
 template <typename Real>

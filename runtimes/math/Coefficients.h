@@ -57,6 +57,22 @@ inline constexpr double Exp2U10[6] = {
     0x1.62e430aea4decp-1, 0x1.ebfbdc2da67c7p-3,  0x1.c6aee931eb9f1p-5,
     0x1.3b2d57d6830fdp-7, 0x1.5f3e0bf705dcap-10, 0x1.41f45bfaf6771p-13,
 };
+/// 2^f = P(f), the first coefficient 1. Error 2^-28.9.
+inline constexpr double Exp2Pow[7] = {
+    0x1.0000000000000p+0, 0x1.62e430aea4decp-1,  0x1.ebfbdc2da67c7p-3,  0x1.c6aee931eb9f1p-5,
+    0x1.3b2d57d6830fdp-7, 0x1.5f3e0bf705dcap-10, 0x1.41f45bfaf6771p-13,
+};
+/// 2^f = P(f), the first coefficient 1. Error 2^-23.4.
+inline constexpr double Exp2PowU35[6] = {
+    0x1.0000000000000p+0, 0x1.62e4291690c06p-1, 0x1.ebf9bb2ebd8b5p-3,
+    0x1.c6b764fd8a5b3p-5, 0x1.3cea980567933p-7, 0x1.5bb2183c53390p-10,
+};
+/// 2^f = P(f), the first coefficient 1. Error 2^-45.9.
+inline constexpr double Exp2PowCr[10] = {
+    0x1.0000000000000p+0,  0x1.62e42fefa37d2p-1,  0x1.ebfbdff81be29p-3,  0x1.c6b08d70c8332p-5,
+    0x1.3b2ab7240d97ap-7,  0x1.5d87fd93fc71dp-10, 0x1.430897fc6dfbbp-13, 0x1.ffce2ec3d8679p-17,
+    0x1.63e68bb22f13bp-20, 0x1.b3def0818b075p-24,
+};
 /// the same, error relative to 2^f - 1. Error 2^-32.0.
 inline constexpr double Expm1U10[7] = {
     0x1.62e42fefd377ep-1,  0x1.ebfbe0452e01dp-3,  0x1.c6b08cb17936cp-5,  0x1.3b2a1c30de5bbp-7,
@@ -85,12 +101,22 @@ inline constexpr double LogU10[9] = {
     -0x1.555c5bca15326p-3, 0x1.233771aaf1915p-3,  -0x1.fc20869e32a63p-4,
     0x1.e6ee3e1875bf2p-4,  -0x1.de4287362f6d6p-4, 0x1.146382d6e4292p-4,
 };
-/// atanh s = s + s z P(z), the same range. Error 2^-37.6.
-inline constexpr double AtanhPow[4] = {
-    0x1.555554fdefc62p-2,
-    0x1.999a7a05759afp-3,
-    0x1.2438f59fc1f80p-3,
-    0x1.e2f24b1bba993p-4,
+/// log2 (1+f) = s P(z), s = f/(2+f), the same range. Error 2^-37.8.
+inline constexpr double Log2Pow[5] = {
+    0x1.71547652bf303p+1, 0x1.ec709d109d830p-1, 0x1.277780edecb7dp-1,
+    0x1.a58d2e60ebec5p-2, 0x1.5ced8d5cd8d18p-2,
+};
+/// log2 (1+f) = s P(z), s = f/(2+f), the same range. Error 2^-30.4.
+inline constexpr double Log2PowU35[4] = {
+    0x1.7154764e43889p+1,
+    0x1.ec70e74948966p-1,
+    0x1.2746a623b97d4p-1,
+    0x1.ba2fa7c8eacbdp-2,
+};
+/// log2 (1+f) = s P(z), s = f/(2+f), the same range. Error 2^-52.3.
+inline constexpr double Log2PowCr[7] = {
+    0x1.71547652b82ffp+1, 0x1.ec709dc39cd18p-1, 0x1.2776c516726b3p-1, 0x1.a61756a95ec24p-2,
+    0x1.484fa0f7e5498p-2, 0x1.0bb8edbe882bfp-2, 0x1.f16bf2f86b91cp-3,
 };
 /// atanh s = s + s z P(z), the same range. Error 2^-59.5.
 inline constexpr double AtanhCr[7] = {
@@ -129,6 +155,12 @@ inline constexpr double InverseCbrtCr[6] = {
     0x1.c7f3a567104e5p+0,  -0x1.90e80316d7264p+0, 0x1.3e69992e51c07p+0,
     -0x1.321d526b2afbep-1, 0x1.3fa35eb6db5f7p-3,  -0x1.16d79d744079ap-6,
 };
+/// (1-h)^(-1/3) = P(h), |h| <= 0.1035, the first coefficient 1. Error 2^-14.3.
+inline constexpr float CbrtStep[3] = {
+    0x1.0000000000000p+0f,
+    0x1.56c0b00000000p-2f,
+    0x1.c9f7fc0000000p-3f,
+};
 /// sin r = r + r z P(z), |r| <= pi/2. Error 2^-27.2.
 inline constexpr float SinPiU35[4] = {
     -0x1.55554c0000000p-3f,
@@ -158,11 +190,28 @@ inline constexpr float Expm1U35[6] = {
     0x1.0000000000000p+0f, 0x1.fffffe0000000p-2f, 0x1.5554b40000000p-3f,
     0x1.5556f60000000p-5f, 0x1.12254a0000000p-7f, 0x1.6b985a0000000p-10f,
 };
+/// e^2r = 1 + r P(r), error relative to e^2r - 1. Error 2^-26.1.
+inline constexpr float Expm1TwiceU35[6] = {
+    0x1.0000000000000p+1f, 0x1.fffffe0000000p+0f, 0x1.5554b40000000p+0f,
+    0x1.5556f60000000p-1f, 0x1.12254a0000000p-2f, 0x1.6b985a0000000p-4f,
+};
 /// log(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-25.0.
 inline constexpr float LogU35[9] = {
     0x1.0000000000000p+0f,  -0x1.fffffa0000000p-2f, 0x1.5556f00000000p-2f,
     -0x1.0004a80000000p-2f, 0x1.98d3940000000p-3f,  -0x1.535c260000000p-3f,
     0x1.317d980000000p-3f,  -0x1.2505d60000000p-3f, 0x1.65e7ce0000000p-4f,
+};
+/// log2(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-25.1.
+inline constexpr float Log2U35[9] = {
+    0x1.7154760000000p+0f,  -0x1.7154720000000p-1f, 0x1.ec73660000000p-2f,
+    -0x1.715b7c0000000p-2f, 0x1.26dd420000000p-2f,  -0x1.e980cc0000000p-3f,
+    0x1.b94ede0000000p-3f,  -0x1.a780b60000000p-3f, 0x1.01b8360000000p-3f,
+};
+/// log10(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-24.4.
+inline constexpr float Log10U35[9] = {
+    0x1.bcb7b00000000p-2f,  -0x1.bcb7b20000000p-3f, 0x1.287d7e0000000p-3f,
+    -0x1.bcbca00000000p-4f, 0x1.62b10c0000000p-4f,  -0x1.26dfca0000000p-4f,
+    0x1.0d7f280000000p-4f,  -0x1.fe42940000000p-5f, 0x1.21773c0000000p-5f,
 };
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-27.6.
 inline constexpr float AsinU35[5] = {
@@ -173,13 +222,6 @@ inline constexpr float AsinU35[5] = {
 inline constexpr float AtanU35[8] = {
     -0x1.5554dc0000000p-2f, 0x1.9978ea0000000p-3f, -0x1.230a7a0000000p-3f, 0x1.b4ddd60000000p-4f,
     -0x1.354f620000000p-4f, 0x1.61ecc80000000p-5f, -0x1.0c17f20000000p-6f, 0x1.7eac420000000p-9f,
-};
-/// m^(-1/3), m in [1, 2]. Error 2^-12.0.
-inline constexpr float InverseCbrtU35[4] = {
-    0x1.8ab8ee0000000p+0f,
-    -0x1.9eb14a0000000p-1f,
-    0x1.455e340000000p-2f,
-    -0x1.990bbe0000000p-5f,
 };
 /// sin r = r + r z P(z), |r| <= pi/2. Error 2^-12.8.
 inline constexpr float SinPiFast[2] = {
@@ -210,10 +252,27 @@ inline constexpr float Expm1Fast[4] = {
     0x1.5762480000000p-3f,
     0x1.555d3c0000000p-5f,
 };
+/// e^2r = 1 + r P(r), error relative to e^2r - 1. Error 2^-16.0.
+inline constexpr float Expm1TwiceFast[4] = {
+    0x1.fffe0c0000000p+0f,
+    0x1.0001960000000p+1f,
+    0x1.5762480000000p+0f,
+    0x1.555d3c0000000p-1f,
+};
 /// log(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-14.3.
 inline constexpr float LogFast[5] = {
     0x1.fffb900000000p-1f,  -0x1.ff70000000000p-2f, 0x1.58767e0000000p-2f,
     -0x1.15726a0000000p-2f, 0x1.69a0600000000p-3f,
+};
+/// log2(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-14.3.
+inline constexpr float Log2Fast[5] = {
+    0x1.7151440000000p+0f,  -0x1.70ec9c0000000p-1f, 0x1.f0f3280000000p-2f,
+    -0x1.9044fe0000000p-2f, 0x1.04e30c0000000p-2f,
+};
+/// log10(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]. Error 2^-14.3.
+inline constexpr float Log10Fast[5] = {
+    0x1.bcb3d60000000p-2f,  -0x1.bc3a9a0000000p-3f, 0x1.2b32ae0000000p-3f,
+    -0x1.e1f9e60000000p-4f, 0x1.3a17240000000p-4f,
 };
 /// asin r = r + r z P(z), |r| <= 1/2. Error 2^-14.7.
 inline constexpr float AsinFast[2] = {
@@ -226,12 +285,6 @@ inline constexpr float AtanFast[4] = {
     0x1.7e9c280000000p-3f,
     -0x1.81778a0000000p-4f,
     0x1.970fd60000000p-6f,
-};
-/// m^(-1/3), m in [1, 2]. Error 2^-9.1.
-inline constexpr float InverseCbrtFast[3] = {
-    0x1.635e8c0000000p+0f,
-    -0x1.eeedc20000000p-2f,
-    0x1.7e90ea0000000p-4f,
 };
 /// e^r = 1 + r + r^2 P(r), |r| <= log(2)/2. Error 2^-28.2.
 inline constexpr float ExpFloat[5] = {
@@ -248,11 +301,15 @@ inline constexpr float AsinFloat[5] = {
     0x1.5555c80000000p-3f, 0x1.3302020000000p-4f, 0x1.747bec0000000p-5f,
     0x1.8c3c680000000p-6f, 0x1.595dea0000000p-5f,
 };
-/// log(1+f) = f - f^2/2 + f^3 P(f). Error 2^-30.3.
-inline constexpr float LogFloat[9] = {
-    0x1.5555480000000p-2f,  -0x1.0000060000000p-2f, 0x1.99a4760000000p-3f,
-    -0x1.555c420000000p-3f, 0x1.233b980000000p-3f,  -0x1.fc29260000000p-4f,
-    0x1.e6c1a20000000p-4f,  -0x1.de011a0000000p-4f, 0x1.146e340000000p-4f,
+/// atan t = t + t z P(z), |t| <= 0.65. Error 2^-27.2.
+inline constexpr float AtanFloat[6] = {
+    -0x1.5555160000000p-2f, 0x1.9981d40000000p-3f,  -0x1.2311a00000000p-3f,
+    0x1.b032620000000p-4f,  -0x1.175ada0000000p-4f, 0x1.a37c960000000p-6f,
+};
+/// log(1+f) = f - f^2/2 + f^3 P(f). Error 2^-27.4.
+inline constexpr float LogFloat[8] = {
+    0x1.5555540000000p-2f, -0x1.0002260000000p-2f, 0x1.99a01a0000000p-3f, -0x1.5472820000000p-3f,
+    0x1.22d9500000000p-3f, -0x1.0d82de0000000p-3f, 0x1.055f4a0000000p-3f, -0x1.38c9a40000000p-4f,
 };
 
 /// 1/pi without the bits that give multiples of 2 when multiplied by a float of exponent 16 j to
@@ -268,6 +325,104 @@ inline constexpr double InversePi1[8] = {
 inline constexpr double InversePi2[8] = {
     0x1.391054a7f09d6p-35, 0x1.529fc2757d1f5p-53,  0x1.f09d5f47d4d37p-67,  0x1.5f47d4d377037p-83,
     0x1.d4d377036d8a5p-99, 0x1.77036d8a5664fp-115, 0x1.6d8a5664f10e4p-131, 0x1.5993c439041fep-149,
+};
+
+/// 1/pi for floats of exponent 2 j + 1 and 2 j + 2, without multiples of what gives multiples of 2,
+/// in two parts; products of a float with the first are exact.
+inline constexpr double InversePiHigh[64] = {
+    0x1.4000000000000p-2,    0x1.4400000000000p-2,    0x1.4600000000000p-2,
+    0x1.4600000000000p-2,    0x1.45f0000000000p-2,    0x1.45f4000000000p-2,
+    0x1.45f3000000000p-2,    0x1.45f3000000000p-2,    0x1.45f3000000000p-2,
+    0x1.45f3080000000p-2,    0x1.45f3070000000p-2,    0x1.45f306c000000p-2,
+    -0x1.7419f24000000p-3,   -0x1.d067c92000000p-5,   0x1.7cc1b74000000p-8,
+    -0x1.067c91c000000p-9,   -0x1.9f246c0000000p-15,  -0x1.9f246c8000000p-15,
+    -0x1.9f246c6000000p-15,  0x1.836e4e4000000p-17,   -0x1.f246c6e000000p-19,
+    0x1.b727220000000p-24,   0x1.b727220000000p-24,   -0x1.236377c000000p-26,
+    0x1.b939106000000p-27,   -0x1.1b1bbea000000p-29,  -0x1.b1bbeb0000000p-33,
+    -0x1.b1bbeae000000p-33,  0x1.391054a000000p-35,   0x1.c882a54000000p-38,
+    -0x1.bbead60000000p-41,  -0x1.bbead60000000p-41,  0x1.1054a80000000p-43,
+    0x1.054a7f0000000p-47,   0x1.054a7f0000000p-47,   0x1.529fc20000000p-53,
+    0x1.529fc28000000p-53,   0x1.529fc28000000p-53,   0x1.4a7f09e000000p-55,
+    0x1.29fc276000000p-57,   0x1.4fe13ac000000p-60,   -0x1.603d8a8000000p-61,
+    -0x1.80f62a0000000p-63,  0x1.fc2757e000000p-65,   -0x1.ec54180000000p-72,
+    -0x1.ec54170000000p-72,  -0x1.ec54170000000p-72,  0x1.3abe900000000p-76,
+    0x1.3abe8fc000000p-76,   -0x1.8a82e0a000000p-77,  0x1.d5f47d4000000p-79,
+    -0x1.505c158000000p-82,  0x1.5f47d4e000000p-83,   0x1.7d1f534000000p-85,
+    0x1.f47d4d4000000p-87,   -0x1.7056590000000p-92,  -0x1.7056590000000p-92,
+    0x1.1f534de000000p-93,   0x1.f534de0000000p-97,   0x1.f534ddc000000p-97,
+    -0x1.5964480000000p-102, -0x1.5964480000000p-102, 0x1.4d37704000000p-103,
+    0x1.34ddc0e000000p-105,
+};
+inline constexpr double InversePiLow[64] = {
+    0x1.7cc1b727220a9p-8,    0x1.f306dc9c882a5p-10,   -0x1.9f246c6efab58p-15,
+    -0x1.9f246c6efab58p-15,  0x1.836e4e44152a0p-17,   -0x1.f246c6efab581p-19,
+    0x1.b727220a94fe1p-24,   0x1.b727220a94fe1p-24,   0x1.b727220a94fe1p-24,
+    -0x1.236377d5ac07bp-26,  -0x1.1b1bbead603d9p-29,  0x1.c9c882a53f84fp-30,
+    -0x1.b1bbead603d8bp-33,  0x1.391054a7f09d6p-35,   -0x1.8ddf56b01ec54p-36,
+    0x1.c882a53f84eb0p-38,   -0x1.bbead603d8a83p-41,  0x1.1054a7f09d5f4p-43,
+    -0x1.df56b01ec5417p-44,  0x1.054a7f09d5f48p-47,   -0x1.f56b01ec54170p-48,
+    0x1.529fc2757d1f5p-53,   0x1.529fc2757d1f5p-53,   -0x1.5ac07b1505c16p-54,
+    -0x1.6b01ec5417056p-56,  -0x1.ac07b1505c159p-58,  0x1.4fe13abe8fa9ap-60,
+    0x1.3f84eafa3ea6ap-62,   0x1.fc2757d1f534ep-65,   -0x1.ec54170565912p-72,
+    -0x1.ec54170565912p-72,  -0x1.ec54170565912p-72,  -0x1.ec54170565912p-72,
+    0x1.3abe8fa9a6ee0p-76,   0x1.3abe8fa9a6ee0p-76,   0x1.d5f47d4d37703p-79,
+    -0x1.505c1596447e5p-82,  -0x1.505c1596447e5p-82,  -0x1.4170565911f92p-84,
+    -0x1.05c1596447e49p-86,  -0x1.70565911f924fp-92,  -0x1.70565911f924fp-92,
+    -0x1.70565911f924fp-92,  -0x1.c1596447e493bp-94,  0x1.f534ddc0db629p-97,
+    -0x1.596447e493ad5p-102, -0x1.596447e493ad5p-102, -0x1.596447e493ad5p-102,
+    -0x1.65911f924eb53p-104, -0x1.96447e493ad4dp-106, 0x1.a6ee06db14acdp-108,
+    -0x1.6447e493ad4cep-110, -0x1.911f924eb5336p-112, 0x1.bb81b6c52b328p-114,
+    -0x1.11f924eb53362p-116, -0x1.1f924eb53361ep-120, -0x1.1f924eb53361ep-120,
+    -0x1.f924eb53361dep-124, -0x1.f924eb53361dep-124, 0x1.b6c52b3278872p-130,
+    0x1.b6c52b3278872p-130,  0x1.b6c52b3278872p-130,  -0x1.24eb53361de38p-132,
+    -0x1.275a99b0ef1bfp-135,
+};
+
+/// 1/pi for floats of exponent j + 1, without multiples of what gives multiples of 2.
+inline constexpr double InversePiRounded[128] = {
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,    0x1.45f306dc9c883p-2,
+    -0x1.7419f246c6efbp-3,   0x1.17cc1b727220bp-4,    -0x1.d067c91b1bbebp-5,
+    0x1.7cc1b727220a9p-8,    0x1.7cc1b727220a9p-8,    0x1.7cc1b727220a9p-8,
+    -0x1.067c91b1bbeadp-9,   0x1.f306dc9c882a5p-10,   -0x1.9f246c6efab58p-15,
+    -0x1.9f246c6efab58p-15,  -0x1.9f246c6efab58p-15,  -0x1.9f246c6efab58p-15,
+    -0x1.9f246c6efab58p-15,  0x1.836e4e44152a0p-17,   0x1.836e4e44152a0p-17,
+    -0x1.f246c6efab581p-19,  -0x1.f246c6efab581p-19,  0x1.b727220a94fe1p-24,
+    0x1.b727220a94fe1p-24,   0x1.b727220a94fe1p-24,   0x1.b727220a94fe1p-24,
+    0x1.b727220a94fe1p-24,   -0x1.236377d5ac07bp-26,  -0x1.236377d5ac07bp-26,
+    0x1.b9391054a7f0ap-27,   -0x1.1b1bbead603d9p-29,  -0x1.1b1bbead603d9p-29,
+    0x1.c9c882a53f84fp-30,   -0x1.b1bbead603d8bp-33,  -0x1.b1bbead603d8bp-33,
+    -0x1.b1bbead603d8bp-33,  0x1.391054a7f09d6p-35,   0x1.391054a7f09d6p-35,
+    -0x1.8ddf56b01ec54p-36,  0x1.c882a53f84eb0p-38,   0x1.c882a53f84eb0p-38,
+    -0x1.bbead603d8a83p-41,  -0x1.bbead603d8a83p-41,  -0x1.bbead603d8a83p-41,
+    0x1.1054a7f09d5f4p-43,   0x1.1054a7f09d5f4p-43,   -0x1.df56b01ec5417p-44,
+    0x1.054a7f09d5f48p-47,   0x1.054a7f09d5f48p-47,   0x1.054a7f09d5f48p-47,
+    -0x1.f56b01ec54170p-48,  0x1.529fc2757d1f5p-53,   0x1.529fc2757d1f5p-53,
+    0x1.529fc2757d1f5p-53,   0x1.529fc2757d1f5p-53,   0x1.529fc2757d1f5p-53,
+    -0x1.5ac07b1505c16p-54,  0x1.4a7f09d5f47d5p-55,   -0x1.6b01ec5417056p-56,
+    0x1.29fc2757d1f53p-57,   -0x1.ac07b1505c159p-58,  0x1.4fe13abe8fa9ap-60,
+    0x1.4fe13abe8fa9ap-60,   -0x1.603d8a82e0acbp-61,  0x1.3f84eafa3ea6ap-62,
+    -0x1.80f62a0b82b2dp-63,  0x1.fc2757d1f534ep-65,   0x1.fc2757d1f534ep-65,
+    -0x1.ec54170565912p-72,  -0x1.ec54170565912p-72,  -0x1.ec54170565912p-72,
+    -0x1.ec54170565912p-72,  -0x1.ec54170565912p-72,  -0x1.ec54170565912p-72,
+    -0x1.ec54170565912p-72,  0x1.3abe8fa9a6ee0p-76,   0x1.3abe8fa9a6ee0p-76,
+    0x1.3abe8fa9a6ee0p-76,   0x1.3abe8fa9a6ee0p-76,   -0x1.8a82e0acb223fp-77,
+    0x1.d5f47d4d37703p-79,   0x1.d5f47d4d37703p-79,   -0x1.505c1596447e5p-82,
+    -0x1.505c1596447e5p-82,  -0x1.505c1596447e5p-82,  0x1.5f47d4d377037p-83,
+    -0x1.4170565911f92p-84,  0x1.7d1f534ddc0dbp-85,   -0x1.05c1596447e49p-86,
+    0x1.f47d4d377036ep-87,   -0x1.70565911f924fp-92,  -0x1.70565911f924fp-92,
+    -0x1.70565911f924fp-92,  -0x1.70565911f924fp-92,  -0x1.70565911f924fp-92,
+    0x1.1f534ddc0db63p-93,   -0x1.c1596447e493bp-94,  0x1.f534ddc0db629p-97,
+    0x1.f534ddc0db629p-97,   0x1.f534ddc0db629p-97,   -0x1.596447e493ad5p-102,
+    -0x1.596447e493ad5p-102, -0x1.596447e493ad5p-102, -0x1.596447e493ad5p-102,
+    -0x1.596447e493ad5p-102, 0x1.4d377036d8a56p-103,  -0x1.65911f924eb53p-104,
+    0x1.34ddc0db6295ap-105,  -0x1.96447e493ad4dp-106,
 };
 
 /// 2/pi from 64 zero bits before its point on, 32 bits a word.

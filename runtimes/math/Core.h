@@ -37,8 +37,8 @@ ANYSL_TIER double squareRoot(double x) { return __builtin_sqrt(x); }
 ANYSL_TIER float copySign(float x, float s) { return __builtin_copysignf(x, s); }
 ANYSL_TIER double copySign(double x, double s) { return __builtin_copysign(x, s); }
 
-/// x; where it is 0, ±1: what to divide by so that no flag is raised. In bits, because the optimizer
-/// takes `x == 0 ? 1 : x` out of a quotient again.
+/// x; where it is 0, ±1: what to divide by so that no flag is raised. In bits, because the
+/// optimizer takes `x == 0 ? 1 : x` out of a quotient again.
 ANYSL_TIER float nonZero(float x) { return fromBits(bitsOf(x) | (x == 0 ? bitsOf(1.0f) : 0)); }
 ANYSL_TIER double nonZero(double x) { return fromBits(bitsOf(x) | (x == 0 ? bitsOf(1.0) : 0)); }
 
@@ -88,6 +88,29 @@ ANYSL_TIER T horner(const T (&c)[N], T x) {
     return mulAdd<F>(horner<F, First + Step, Step>(c, x), x, c[First]);
 }
 
+/// Coefficients First to Last of `estrin`'s polynomial; squares[i] is x^(2^i).
+template <Fusion F, int First, int Last, class T, int N>
+ANYSL_TIER T estrinPart(const T (&c)[N], const T (&squares)[4]) {
+  if constexpr (First == Last) {
+    return c[First];
+  } else {
+    constexpr int level = 31 - __builtin_clz(unsigned(Last - First));
+    constexpr int middle = First + (1 << level);
+    return mulAdd<F>(estrinPart<F, middle, Last>(c, squares), squares[level],
+                     estrinPart<F, First, middle - 1>(c, squares));
+  }
+}
+
+/// The polynomial as a tree instead of `horner`'s chain (Estrin's scheme): a few more operations,
+/// of which more run at once. Sums of the leading coefficients are rounded more often.
+template <Fusion F = Fusion::Never, class T, int N>
+ANYSL_TIER T estrin(const T (&c)[N], T x) {
+  static_assert(N <= 16);
+  T x2 = x * x, x4 = x2 * x2;
+  const T squares[4] = {x, x2, x4, x4 * x4};
+  return estrinPart<F, 0, N - 1>(c, squares);
+}
+
 /// x + RoundShift has the integer nearest to x (ties to even) in its low bits, |x| <= 2^51.
 inline constexpr double RoundShift = 0x1.8p52;
 /// The same for float, |x| <= 2^22.
@@ -99,14 +122,24 @@ ANYSL_TIER double powerOfTwo(UInt64 n) { return fromBits((n + 1023) << 52); }
 /// y·2^n where that is normal; n in the low bits of `bits`.
 ANYSL_TIER float scaleBy(float y, UInt32 bits) { return fromBits(bitsOf(y) + (bits << 23)); }
 
-/// A float as (1 + f)·2^n, 1 + f in [sqrt 1/2, sqrt 2), where it is positive, normal and finite.
+/// A float as (1 + f)·2^n, 1 + f in [sqrt 1/2, sqrt 2), where it is positive, normal and finite; f
+/// is in that range for all others too.
 struct DecomposedF {
-  float f, n;
+  float f;
+  Int32 n;
 };
 ANYSL_TIER DecomposedF decomposeF(float x) {
   constexpr UInt32 rootHalf = 0x3f3504f3;
   Int32 n = Int32(bitsOf(x) - rootHalf) >> 23;
-  return {fromBits(bitsOf(x) - (UInt32(n) << 23)) - 1, float(n)};
+  return {fromBits(bitsOf(x) - (UInt32(n) << 23)) - 1, n};
+}
+/// The same for denormal numbers as well: the bits of one, taken as an integer, are a normal number
+/// 2^149 times as large, and no arithmetic on denormal numbers is needed, which takes processors a
+/// hundred times as long.
+ANYSL_TIER DecomposedF decomposeAnyF(float x) {
+  bool tiny = bitsOf(x) < 0x00800000u;
+  DecomposedF d = decomposeF(tiny ? float(Int32(bitsOf(x))) : x);
+  return {d.f, d.n - (tiny ? 149 : 0)};
 }
 
 /// A finite positive normal x as m · 2^exponent with m in [sqrt 1/2, sqrt 2).

@@ -7,7 +7,8 @@
 //
 // Functions of two floats have 2^64 arguments, too many to prove by trying that an error of 2^-53
 // never meets the middle between two floats, and of inverse square roots it is known that it does.
-// So these are computed as the sum of two doubles.
+// So these are computed as the sum of two doubles: hypot always, the others where one double is too
+// near such a middle.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -20,7 +21,7 @@
 namespace anysl::tier {
 
 /// The sum of two doubles has an error of about 2^-57: one result in 2^31 may be rounded wrongly.
-ANYSL_TIER float powCorrect(float x, float y) {
+ANYSL_TIER float powNearMiddle(float x, float y) {
   double a = magnitude(x);
   bool finite = a > 0 && a < Infinity<double>;
   Pair l = log2Accurate(finite ? a : 1);
@@ -41,6 +42,25 @@ ANYSL_TIER float powCorrect(float x, float y) {
   return powSpecial(x, y, float(power));
 }
 
+/// Polynomials for a power to 2^-43.
+struct LongPower {
+  static constexpr bool denormals = true;
+  static constexpr Fusion fusion = Fusion::AsFits;
+  static constexpr auto &log2 = Log2PowCr;
+  static constexpr auto &exp2 = Exp2PowCr;
+};
+
+ANYSL_TIER float powCorrect(float x, float y) {
+  OrdinaryPower p = ordinaryPower<LongPower>(x, y);
+  float power = y == 2 ? x * x : float(p.power);
+  // Denormal floats have the middles of the numbers that are 2^-126 more; 2^-42 is 1024 units of a
+  // double.
+  double shifted = p.power + (p.power < 0x1p-126 ? 0x1p-126 : 0);
+  if (__builtin_expect(int(!p.isOrdinary) | isNearMiddle(shifted, 1024), 0))
+    power = powNearMiddle(x, y);
+  return power;
+}
+
 ANYSL_TIER float hypotCorrect(float x, float y) {
   double a = x, b = y;
   Pair s = twoSum(a * a, b * b);
@@ -55,14 +75,23 @@ ANYSL_TIER float hypotCorrect(float x, float y) {
 }
 
 /// Some arguments have an inverse root within 2^-53 of the middle between two floats.
-ANYSL_TIER float inverseSqrtCorrect(float x) {
-  InverseSqrt s = inverseSqrtStart(x);
-  double m = s.x, y = s.y;
-  y += y * (0.5 * (1 - m * (y * y)));
+ANYSL_TIER float inverseSqrtNearMiddle(InverseSqrt s) {
+  double m = s.x, y = inverseSqrtStep(s);
   Pair p = product(product(y, y), m);
   Pair root = fastSum(y, y * (0.5 * ((1 - p.high) - p.low)));
   bool ordinary = m > 0 && m < Infinity<double>;
-  return (ordinary ? float(roundToOdd(root, 0x1p-90)) : s.y) * s.scale;
+  return ordinary ? float(roundToOdd(root, 0x1p-90)) : s.y;
+}
+
+ANYSL_TIER float inverseSqrtCorrect(float x) {
+  InverseSqrt s = inverseSqrtStart(x);
+  double y = inverseSqrtStep(s);
+  float root = float(y);
+  // 2^-44 is 256 units of a double.
+  bool special = !(s.x > 0 && s.x < Infinity<float>);
+  if (__builtin_expect(int(special) | isNearMiddle(y, 256), 0))
+    root = inverseSqrtNearMiddle(s);
+  return root * s.scale;
 }
 
 } // namespace anysl::tier

@@ -93,9 +93,10 @@ ANYSL_TIER double sinOrCosHuge(double x) {
   return fromBits(bitsOf(sinNear<C>(t.r * Pi)) ^ ((Cosine ? ~t.n : t.n) << 63));
 }
 
-/// Whether x is so near the middle between two floats that its error may have it rounded wrongly.
-ANYSL_TIER bool isNearMiddle(double x) {
-  constexpr UInt64 middle = 0x10000000, doubt = 8;
+/// Whether x is so near the middle between two normal floats that an error of `doubt` units in its
+/// last place may have it rounded wrongly.
+ANYSL_TIER bool isNearMiddle(double x, UInt64 doubt = 8) {
+  constexpr UInt64 middle = 0x10000000;
   return (bitsOf(x) + (middle + doubt)) % (2 * middle) < 2 * doubt;
 }
 
@@ -345,15 +346,28 @@ ANYSL_TIER float log10InDouble(float x) {
 
 //===-- pow -----------------------------------------------------------------//
 
-/// log2 x to 2^-38, for a positive normal x.
-template <Fusion F, int N>
-ANYSL_TIER double log2ForPower(double x, const double (&polynomial)[N]) {
-  Decomposed d = decompose(x);
-  double f = d.m - 1;
+/// Polynomials for a power within 0.54 ULP: log2 to 2^-37, since up to 128 times its error counts.
+struct ShortPower {
+  static constexpr bool denormals = false; ///< whether denormal bases are ordinary
+  static constexpr Fusion fusion = Fusion::Never;
+  static constexpr auto &log2 = Log2Pow;
+  static constexpr auto &exp2 = Exp2Pow;
+};
+
+template <class C>
+ANYSL_TIER double log2ForPower(DecomposedF d) {
+  double f = d.f;
   double s = f / (2 + f);
-  double z = s * s;
-  double p = s * mulAdd<F>(z, horner<F>(polynomial, z), 1.0);
-  return mulAdd<F>(p, 2 * Log2E, d.exponent);
+  return mulAdd<C::fusion>(s, estrin<C::fusion>(C::log2, s * s), double(d.n));
+}
+
+/// 2^e within the range of float, before it is rounded to that; NaN for NaN.
+template <class C>
+ANYSL_TIER double exp2ForPower(double e) {
+  e = clampKeepNaN(e, -160.0, 140.0);
+  double t = e + RoundShift;
+  double y = estrin<C::fusion>(C::exp2, e - (t - RoundShift));
+  return fromBits(bitsOf(y) + (bitsOf(t) << 52));
 }
 
 /// Stands for the infinite logarithms of 0 and infinity: times the least y it is still out of any
@@ -362,34 +376,40 @@ inline constexpr double EndlessLog2 = 0x1p+1000;
 
 /// Any x^y.
 ANYSL_TIER float powAny(float x, float y) {
-  double a = magnitude(x);
-  double l = log2ForPower<Fusion::Never>(a, AtanhPow);
+  float a = magnitude(x);
+  double l = log2ForPower<ShortPower>(decomposeAnyF(a));
   l = a == 0 ? -EndlessLog2 : l;
-  l = a == Infinity<double> ? EndlessLog2 : l;
-  l = a != a ? a : l;
-  double e = clampKeepNaN(l * double(y), -160.0, 140.0);
-  double t = e + RoundShift;
-  return powSpecial(x, y, float(expReduced<ShortPolynomials>({e - (t - RoundShift), bitsOf(t)})));
+  l = a == Infinity<float> ? EndlessLog2 : l;
+  l = a != a ? double(a) : l;
+  return powSpecial(x, y, float(exp2ForPower<ShortPower>(l * double(y))));
 }
 
-/// Whether x^y = 2^exponent is a case for powAny: all others are normal powers of normal numbers.
-template <class T>
-ANYSL_TIER bool isSpecialPower(float x, T exponent) {
-  return int(!isPositiveNormal(x)) | !(magnitude(exponent) < 125);
+/// x^y as a double, where `isOrdinary`.
+struct OrdinaryPower {
+  double power;
+  bool isOrdinary;
+};
+template <class C>
+ANYSL_TIER OrdinaryPower ordinaryPower(float x, float y) {
+  // +0 is an ordinary base: highlights raise it wherever a light is behind the surface. Its
+  // logarithm is as good as infinite for the exponents that are ordinary: those of magnitude 2^-20
+  // to the largest number.
+  bool zero = bitsOf(x) == 0;
+  DecomposedF d = C::denormals ? decomposeAnyF(x) : decomposeF(x);
+  d.n = zero ? -0x10000000 : d.n;
+  constexpr UInt32 least = 0x35800000, infinite = 0x7f800000;
+  bool ordinaryY = (bitsOf(y) << 1) - (least << 1) < ((infinite - least) << 1);
+  bool ordinaryX = C::denormals ? bitsOf(x) < infinite : zero | isPositiveNormal(x);
+  return {exp2ForPower<C>(log2ForPower<C>(d) * double(y)), bool(int(ordinaryX) & ordinaryY)};
 }
 
-ANYSL_TIER float powShort(float x, float y) {
-  // What a light behind a surface asks of a highlight: no case for powAny, half of a packet has it.
-  bool zero = bitsOf(x) == 0 && y > 0 && y < Infinity<float>;
-  x = zero ? 1 : x;
-  double e = log2ForPower<Fusion::Never>(x, AtanhPow) * double(y);
-  // In double no power within these bounds is special; the conversion to float rounds tiny ones.
-  if (__builtin_expect(int(!isPositiveNormal(x)) | !(magnitude(e) < 1000), 0))
-    return powAny(x, y);
-  double t = e + RoundShift;
-  float power = float(expReduced<ShortPolynomials>({e - (t - RoundShift), bitsOf(t)}));
-  power = y == 2 ? x * x : power;
-  return zero ? 0 : power;
+template <class C>
+ANYSL_TIER float powInDouble(float x, float y) {
+  OrdinaryPower p = ordinaryPower<C>(x, y);
+  float power = y == 2 ? x * x : float(p.power);
+  if (__builtin_expect(!p.isOrdinary, 0))
+    power = powAny(x, y);
+  return power;
 }
 
 //===-- roots ---------------------------------------------------------------//
@@ -428,13 +448,16 @@ ANYSL_TIER InverseSqrt inverseSqrtStart(float x) {
   return {m, 1 / squareRoot(m), tiny ? 0x1p75f : 1};
 }
 
-/// One step of Newton's iteration in double from a float quotient.
+/// One step of Newton's iteration in double from a float quotient, to 2^-45.
+ANYSL_TIER double inverseSqrtStep(InverseSqrt s) {
+  double r = s.y;
+  return r + r * (0.5 * (1 - double(s.x) * (r * r)));
+}
+
 ANYSL_TIER float inverseSqrtInDouble(float x) {
   InverseSqrt s = inverseSqrtStart(x);
-  double r = s.y;
-  double y = r + r * (0.5 * (1 - double(s.x) * (r * r)));
   bool ordinary = s.x > 0 && s.x < Infinity<float>;
-  return (ordinary ? float(y) : s.y) * s.scale;
+  return (ordinary ? float(inverseSqrtStep(s)) : s.y) * s.scale;
 }
 
 ANYSL_TIER float hypotInDouble(float x, float y) {

@@ -25,10 +25,12 @@ struct MediumPolynomials {
   static constexpr auto &exp = ExpU35;
   static constexpr auto &exp2 = Exp2U35;
   static constexpr auto &expm1 = Expm1U35;
+  static constexpr auto &expm1Twice = Expm1TwiceU35;
   static constexpr auto &log = LogU35;
+  static constexpr auto &log2 = Log2U35;
+  static constexpr auto &log10 = Log10U35;
   static constexpr auto &asin = AsinU35;
   static constexpr auto &atan = AtanU35;
-  static constexpr auto &inverseCbrt = InverseCbrtU35;
   static constexpr bool coarse = false;
 };
 
@@ -39,10 +41,12 @@ struct CoarsePolynomials {
   static constexpr auto &exp = ExpFast;
   static constexpr auto &exp2 = Exp2Fast;
   static constexpr auto &expm1 = Expm1Fast;
+  static constexpr auto &expm1Twice = Expm1TwiceFast;
   static constexpr auto &log = LogFast;
+  static constexpr auto &log2 = Log2Fast;
+  static constexpr auto &log10 = Log10Fast;
   static constexpr auto &asin = AsinFast;
   static constexpr auto &atan = AtanFast;
-  static constexpr auto &inverseCbrt = InverseCbrtFast;
   static constexpr bool coarse = true;
 };
 
@@ -80,9 +84,36 @@ struct HalfPiF {
                          low = 0x1.84698ap-48f;
 };
 
-ANYSL_TIER TurnsF turnsLarge(float x, double scale, double offset, double unit) {
-  Turns t = turnsHuge(x, scale, offset);
-  return {float(t.r * unit), UInt32(t.n)};
+/// Turns of |x| >= LargeArgument in units of pi/Scale, r in radians; offset is 0 or 1/2. The
+/// remainder is that of Payne and Hanek: its error is 2^-56 turns, and no float is within 2^-31
+/// turns of a multiple of pi/2.
+template <int Scale>
+ANYSL_TIER TurnsF turnsLarge(float x, double offset) {
+  UInt32 block = (bitsOf(x) >> 24) & 63;
+  double scaled = double(x) * Scale;
+  double a = scaled * InversePiHigh[block], b = scaled * InversePiLow[block];
+  double t = ((a + b) - offset) + RoundShift;
+  double r = (a - ((t - RoundShift) + offset)) + b;
+  return {float(r * (0x1.921fb54442d18p+1 / Scale)), UInt32(bitsOf(t))};
+}
+
+/// The same to 2^-29 turns, and near 0 as above: loads take most of the time, and this is half of
+/// them.
+template <int Scale>
+ANYSL_TIER TurnsF turnsLargeCoarse(float x, double offset) {
+  double scaled = double(x) * Scale, inverse = InversePiRounded[(bitsOf(x) >> 23) & 127];
+  double a = scaled * inverse, b = mulAdd<Fusion::Always>(scaled, inverse, -a);
+  double t = (a - offset) + RoundShift;
+  double r = (a - ((t - RoundShift) + offset)) + b;
+  TurnsF turns = {float(r) * float(0x1.921fb54442d18p+1 / Scale), UInt32(bitsOf(t))};
+  if (__builtin_expect(magnitude(turns.r) < 0x1p-12f, 0))
+    turns = turnsLarge<Scale>(x, offset);
+  return turns;
+}
+
+template <class C, int Scale>
+ANYSL_TIER TurnsF turnsBeyond(float x, double offset) {
+  return C::coarse ? turnsLargeCoarse<Scale>(x, offset) : turnsLarge<Scale>(x, offset);
 }
 
 template <class C>
@@ -90,7 +121,7 @@ ANYSL_TIER float sinInFloat(float x) {
   float t = fma(x, PiF::inverse, RoundShiftF);
   TurnsF a = {remainderOf<PiF>(x, t - RoundShiftF), bitsOf(t)};
   if (__builtin_expect(!(magnitude(x) < LargeArgument), 0))
-    a = turnsLarge(x, 1, 0, 0x1.921fb54442d18p+1);
+    a = turnsBeyond<C, 1>(x, 0);
   float z = a.r * a.r;
   float y = a.r * fma(z, hornerFused(C::sinPi, z), 1);
   return fromBits(bitsOf(y) ^ (a.n << 31));
@@ -102,11 +133,12 @@ ANYSL_TIER float cosInFloat(float x) {
   float t = fma(x, PiF::inverse, -0.5f) + RoundShiftF;
   TurnsF a = {remainderOf<PiF>(x, (t - RoundShiftF) + 0.5f), bitsOf(t)};
   if (__builtin_expect(!(magnitude(x) < LargeArgument), 0))
-    a = turnsLarge(x, 1, -0.5, 0x1.921fb54442d18p+1);
+    a = turnsBeyond<C, 1>(x, 0.5);
   float z = a.r * a.r;
   float y = a.r * fma(z, hornerFused(C::sinPi, z), 1);
   y = fromBits(bitsOf(y) ^ (~a.n << 31));
-  return x == 0 ? 1 : y;
+  // The polynomial of u35 gives 1 there by itself.
+  return C::coarse && x == 0 ? 1 : y;
 }
 
 template <class C>
@@ -114,7 +146,7 @@ ANYSL_TIER float tanInFloat(float x) {
   float t = fma(x, HalfPiF::inverse, RoundShiftF);
   TurnsF a = {remainderOf<HalfPiF>(x, t - RoundShiftF), bitsOf(t)};
   if (__builtin_expect(!(magnitude(x) < LargeArgument), 0))
-    a = turnsLarge(x, 2, 0, 0x1.921fb54442d18p+0);
+    a = turnsBeyond<C, 2>(x, 0);
   float z = a.r * a.r;
   float y = fma(a.r * z, hornerFused(C::tan, z), a.r);
   return a.n & 1 ? -1 / y : y;
@@ -163,46 +195,93 @@ ANYSL_TIER float atanInFloat(float x) {
   return copySign(steep ? y + 0x1.921fb6p+0f : y, x);
 }
 
+/// atan2 y x, given the quotient t of the smaller side and the larger one.
 template <class C>
-ANYSL_TIER float atan2InFloat(float y, float x) {
-  float ay = magnitude(y), ax = magnitude(x);
-  bool steep = ay > ax;
-  float small = steep ? ax : ay, large = steep ? ay : ax;
-  float t = small / nonZero(large);
-  t = small == large ? 1 : t; // infinite both
-  t = large == 0 ? 0 : t;
+ANYSL_TIER float atan2FromQuotient(float t, bool steep, float y, float x) {
   float a = atanUnit<C>(t);
   a = steep ? 0x1.921fb6p+0f - a : a;
   a = __builtin_signbit(x) ? 0x1.921fb6p+1f - a : a;
-  a = x != x || y != y ? x + y : a;
   return copySign(a, y);
+}
+
+template <class C>
+ANYSL_TIER float atan2InFloat(float y, float x) {
+  // Magnitudes compare as their bits do.
+  UInt32 ay = bitsOf(magnitude(y)), ax = bitsOf(magnitude(x));
+  bool steep = ay > ax;
+  UInt32 small = ay < ax ? ay : ax, large = ay > ax ? ay : ax;
+  UInt32 least = 0x00800000, infinite = bitsOf(Infinity<float>);
+  float bottom = fromBits(large > least ? large : least);
+  float a = atan2FromQuotient<C>(fromBits(small) / bottom, steep, y, x);
+  if (__builtin_expect(!(large - least < infinite - least), 0)) {
+    // Denormal sides are taken as the integers that their bits are; two infinite ones are like two
+    // ones, and one like 1 beside 0. Beside (0, 0) a maximum of integers keeps the divisor from 0,
+    // since a choice would be taken out of the quotient.
+    bool isInfinite = large >= infinite;
+    UInt32 top = isInfinite ? small == infinite : small, finite = isInfinite ? 1 : large;
+    bottom = float(Int32(finite > 1 ? finite : 1));
+    a = atan2FromQuotient<C>(float(Int32(top)) / bottom, steep, y, x);
+    a = large > infinite ? x + y : a;
+  }
+  return a;
 }
 
 //===-- exp, exp2 and the hyperbolic functions ------------------------------//
 
+/// e^x = y·2^n, n in the low bits of t = n + RoundShiftF.
+struct ScaledF {
+  float y, t;
+};
 template <class C>
-ANYSL_TIER float expInFloat(float x) {
-  if (__builtin_expect(!(magnitude(x) < 87), 0))
-    return expInDouble<ShortPolynomials>(x);
+ANYSL_TIER ScaledF expScaled(float x) {
   float t = fma(x, 0x1.715476p+0f, RoundShiftF);
   float n = t - RoundShiftF;
   if constexpr (C::coarse) {
     float f = fma(x, 0x1.715476p+0f, -n);
-    return scaleBy(fma(f, hornerFused(C::exp2, f), 1), bitsOf(t));
+    return {fma(f, hornerFused(C::exp2, f), 1), t};
   }
   float r = fma(-n, 0x1.62e43p-1f, x);
   r = fma(-n, -0x1.05c61p-29f, r);
-  float y = fma(r * r, hornerFused(C::exp, r), r) + 1;
-  return scaleBy(y, bitsOf(t));
+  return {fma(r * r, hornerFused(C::exp, r), r) + 1, t};
+}
+template <class C>
+ANYSL_TIER ScaledF exp2Scaled(float x) {
+  float t = x + RoundShiftF;
+  float f = x - (t - RoundShiftF);
+  return {fma(f, hornerFused(C::exp2, f), 1), t};
+}
+
+/// y·2^n where that may be denormal or infinite, |n| <= 255.
+ANYSL_TIER float scaleByAny(ScaledF s) {
+  UInt32 n = bitsOf(s.t), bits = bitsOf(s.y) + (n << 23), infinite = bitsOf(Infinity<float>);
+  // A denormal result counts steps of 2^-149 in its bits; the sum rounds it to a whole number of
+  // them.
+  float steps = scaleBy(s.y, n + 149);
+  UInt32 tiny = bitsOf(steps + 0x1p23f) - bitsOf(0x1p23f);
+  bool isTiny = int(s.t < RoundShiftF - 125) & int(steps < 0x1p23f);
+  return fromBits(isTiny ? tiny : bits > infinite ? infinite : bits);
+}
+
+template <class C>
+ANYSL_TIER float expInFloat(float x) {
+  ScaledF s = expScaled<C>(x);
+  float y = scaleBy(s.y, bitsOf(s.t));
+  if (__builtin_expect(!(magnitude(x) < 87), 0)) {
+    y = scaleByAny(expScaled<C>(clampKeepNaN(x, -110.0f, 95.0f)));
+    y = x != x ? x : y;
+  }
+  return y;
 }
 
 template <class C>
 ANYSL_TIER float exp2InFloat(float x) {
-  if (__builtin_expect(!(magnitude(x) < 125), 0))
-    return exp2InDouble<ShortPolynomials>(x);
-  float t = x + RoundShiftF;
-  float f = x - (t - RoundShiftF);
-  return scaleBy(fma(f, hornerFused(C::exp2, f), 1), bitsOf(t));
+  ScaledF s = exp2Scaled<C>(x);
+  float y = scaleBy(s.y, bitsOf(s.t));
+  if (__builtin_expect(!(magnitude(x) < 125), 0)) {
+    y = scaleByAny(exp2Scaled<C>(clampKeepNaN(x, -160.0f, 140.0f)));
+    y = x != x ? x : y;
+  }
+  return y;
 }
 
 /// sinh a and cosh a for 0 <= a <= 87; see Hyperbolic.
@@ -243,90 +322,117 @@ ANYSL_TIER float coshInFloat(float x) {
   return h.cosh;
 }
 
+/// tanh a = u/(u + 2) with u = e^2a − 1
 template <class C>
 ANYSL_TIER float tanhInFloat(float x) {
-  HyperbolicF h = hyperbolicF<C>(clampKeepNaN(magnitude(x), 0.0f, 15.0f));
-  return copySign(h.sinh / h.cosh, x);
+  float a = magnitude(x);
+  a = a > 15 ? 15 : a;
+  float t = fma(a, 0x1.715476p+1f, RoundShiftF);
+  // Half of log 2 in one float: where n is large, the result is 1 anyway.
+  float r = fma(-(t - RoundShiftF), 0x1.62e43p-2f, a);
+  float up = fromBits((bitsOf(t) << 23) + 0x3f800000u);
+  float u = fma(up * r, hornerFused(C::expm1Twice, r), up - 1);
+  return copySign(u / (u + 2), x);
 }
 
 //===-- log, log2, log10 ----------------------------------------------------//
 
-/// log x, given C's polynomial.
+/// log, log2 and log10 of (1 + f)·2^n, given C's polynomial.
 template <class C>
-ANYSL_TIER float logInFloat(float x) {
-  if (__builtin_expect(!isPositiveNormal(x), 0))
-    return logInDouble<ShortPolynomials>(x);
-  DecomposedF d = decomposeF(x);
-  float l = fma(d.f, hornerFused(C::log, d.f), d.n * -0x1.05c61p-29f);
-  return fma(d.n, 0x1.62e43p-1f, l);
-}
+struct LogF {
+  static ANYSL_TIER float of(DecomposedF d) {
+    return fma(float(d.n), 0x1.62e43p-1f, d.f * hornerFused(C::log, d.f));
+  }
+};
+template <class C>
+struct Log2F {
+  static ANYSL_TIER float of(DecomposedF d) {
+    return fma(d.f, hornerFused(C::log2, d.f), float(d.n));
+  }
+};
+template <class C>
+struct Log10F {
+  static ANYSL_TIER float of(DecomposedF d) {
+    return fma(float(d.n), 0x1.344136p-2f, d.f * hornerFused(C::log10, d.f));
+  }
+};
 
-template <class C>
-ANYSL_TIER float log2InFloat(float x) {
+/// A logarithm of any x.
+template <class Log>
+ANYSL_TIER float logarithmInFloat(float x) {
+  float y = Log::of(decomposeF(x));
   if (__builtin_expect(!isPositiveNormal(x), 0))
-    return log2InDouble<ShortPolynomials>(x);
-  DecomposedF d = decomposeF(x);
-  return fma(d.f * hornerFused(C::log, d.f), 0x1.715476p+0f, d.n);
-}
-
-template <class C>
-ANYSL_TIER float log10InFloat(float x) {
-  if (__builtin_expect(!isPositiveNormal(x), 0))
-    return log10InDouble<ShortPolynomials>(x);
-  DecomposedF d = decomposeF(x);
-  float l = d.f * hornerFused(C::log, d.f);
-  return fma(d.n, 0x1.344136p-2f, fma(l, 0x1.bcb7b2p-2f, d.n * -0x1.ec10cp-27f));
+    y = isPositiveFinite(x) ? Log::of(decomposeAnyF(x)) : logSpecial(x);
+  return y;
 }
 
 //===-- pow -----------------------------------------------------------------//
 
-/// The error of log2 x is multiplied by up to 125: it is computed in double, and for `fast` with
-/// the polynomial of u35.
+/// The error of log2 x is multiplied by up to 125: `fast` takes the polynomial of u35.
+using Log2ForPower = Log2F<MediumPolynomials>;
+
+/// Any x^y.
+ANYSL_TIER float powAnyCoarse(float x, float y) {
+  float a = magnitude(x);
+  float l = Log2ForPower::of(decomposeAnyF(a));
+  l = a == 0 ? -Infinity<float> : l;
+  l = a < Infinity<float> ? l : a;
+  float e = clampKeepNaN(l * y, -160.0f, 140.0f);
+  float power = scaleByAny(exp2Scaled<CoarsePolynomials>(e));
+  power = powSpecial(x, y, e != e ? e : power);
+  return y == 1 ? x : power;
+}
+
+/// In double, to 2^-24.
+struct MediumPower {
+  static constexpr bool denormals = false;
+  static constexpr Fusion fusion = Fusion::Always;
+  static constexpr auto &log2 = Log2PowU35;
+  static constexpr auto &exp2 = Exp2PowU35;
+};
+
 template <class C>
 ANYSL_TIER float powInFloat(float x, float y) {
-  float whole, part; // of the power's exponent
-  bool special;
-  if constexpr (C::coarse) {
-    DecomposedF d = decomposeF(x);
-    float l = fma(d.f * hornerFused(LogU35, d.f), 0x1.715476p+0f, d.n);
-    float e = l * y;
-    special = isSpecialPower(x, e);
-    whole = e + RoundShiftF;
-    part = e - (whole - RoundShiftF);
-  } else {
-    double e = log2ForPower<Fusion::Always>(x, AtanhPow) * double(y);
-    special = isSpecialPower(x, e);
-    whole = float(e) + RoundShiftF;
-    part = float(e - double(whole - RoundShiftF));
-  }
-  if (__builtin_expect(special, 0))
-    return powAny(x, y);
-  float power = scaleBy(fma(part, hornerFused(C::exp2, part), 1), bitsOf(whole));
+  if constexpr (!C::coarse)
+    return y == 1 ? x : powInDouble<MediumPower>(x, y);
+  float e = Log2ForPower::of(decomposeF(x)) * y;
+  ScaledF s = exp2Scaled<CoarsePolynomials>(e);
+  float power = scaleBy(s.y, bitsOf(s.t));
   power = y == 1 ? x : power;
-  return y == 2 ? x * x : power;
+  power = y == 2 ? x * x : power;
+  if (__builtin_expect(int(!isPositiveNormal(x)) | !(magnitude(e) < 125), 0))
+    power = powAnyCoarse(x, y);
+  return power;
 }
 
 //===-- roots ---------------------------------------------------------------//
 
+/// The cube root of a positive normal a.
+template <class C>
+ANYSL_TIER float cbrtNormalF(float a) {
+  // Bits are a logarithm, more or less: from a third of them comes 1/cbrt a, within 4 %.
+  Int32 start = Int32(fma(float(Int32(bitsOf(a))), -1.0f / 3, 0x1.5288p+30f));
+  float r = fromBits(UInt32(start));
+  float h = fma(-(a * r), r * r, 1);
+  r = fma(r * h, horner<Fusion::Always, 1>(CbrtStep, h), r);
+  float y = (a * r) * r;
+  if constexpr (!C::coarse) // once more by Newton
+    y = fma(fma(-y * y, y, a), r * r * (1.0f / 3), y);
+  return y;
+}
+
 template <class C>
 ANYSL_TIER float cbrtInFloat(float x) {
-  float a = magnitude(x);
-  if (__builtin_expect(!isPositiveNormal(a), 0))
-    return cbrtInDouble<ShortPolynomials>(x);
-  UInt32 bits = bitsOf(a);
-  float m = fromBits((bits & 0x007fffffu) | 0x3f800000u);
-  UInt32 e = (bits >> 23) - 127 + 150;
-  UInt32 q = (e * 21846) >> 16;
-  UInt32 j = e - 3 * q;
-  float r = hornerFused(C::inverseCbrt, m);
-  float h = fma(-m * r, r * r, 1);
-  r = fma(r * h, C::coarse ? 1.0f / 3 : fma(h, 2.0f / 9, 1.0f / 3), r);
-  float y = m * (r * r);
-  if constexpr (!C::coarse) // once more by Newton, since r·r has doubled r's error
-    y = fma(fma(-y * y, y, m), r * r * (1.0f / 3), y);
-  y *= j == 0 ? 1.0f : j == 1 ? 0x1.428a3p+0f : 0x1.965feap+0f;
-  y *= fromBits((q + 127 - 50) << 23);
-  return copySign(y, x);
+  // Below, denormal numbers would come up, which take long.
+  UInt32 least = bitsOf(0x1p-100f), bits = bitsOf(magnitude(x));
+  float y = copySign(cbrtNormalF<C>(fromBits(bits > least ? bits : least)), x);
+  if (__builtin_expect(!(bits - least < bitsOf(Infinity<float>) - least), 0)) {
+    // The number times 2^150.
+    float large = bits < 0x00800000u ? float(Int32(bits << 1)) : fromBits(bits + (150 << 23));
+    float root = copySign(cbrtNormalF<C>(large) * 0x1p-50f, x);
+    y = bits - 1 < least ? root : x + x;
+  }
+  return y;
 }
 
 ANYSL_TIER float inverseSqrtInFloat(float x) {
@@ -334,8 +440,8 @@ ANYSL_TIER float inverseSqrtInFloat(float x) {
   return s.y * s.scale;
 }
 
-/// The sides are scaled by the larger one's exponent, so that squares neither overflow nor vanish.
-ANYSL_TIER float hypotInFloat(float x, float y) {
+/// Where squares overflow or vanish, the sides are scaled by the larger one's exponent.
+ANYSL_TIER float hypotScaled(float x, float y) {
   float a = magnitude(x), b = magnitude(y);
   float large = a > b ? a : b, small = a > b ? b : a;
   UInt32 exponent = bitsOf(large) & 0x7f800000u;
@@ -347,6 +453,15 @@ ANYSL_TIER float hypotInFloat(float x, float y) {
   float r = squareRoot(fma(small, small, large * large)) * up;
   r = x != x || y != y ? x + y : r;
   return a == Infinity<float> || b == Infinity<float> ? Infinity<float> : r;
+}
+
+ANYSL_TIER float hypotInFloat(float x, float y) {
+  float square = fma(x, x, y * y);
+  float r = squareRoot(square);
+  UInt32 least = bitsOf(0x1p-100f), infinite = bitsOf(Infinity<float>);
+  if (__builtin_expect(!(bitsOf(square) - least < infinite - least), 0))
+    r = hypotScaled(x, y);
+  return r;
 }
 
 } // namespace anysl::tier

@@ -21,8 +21,8 @@ ANYSL_TIER float cos(float x) { return cosInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float tan(float x) { return tanInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float asin(float x) { return asinInFloatOnly(x); }
 ANYSL_TIER float acos(float x) { return acosInFloatOnly(x); }
-ANYSL_TIER float atan(float x) { return atanInDouble<ShortPolynomials>(x); }
-ANYSL_TIER float atan2(float y, float x) { return atan2InDouble<ShortPolynomials>(y, x); }
+ANYSL_TIER float atan(float x) { return atanInFloatOnly(x); }
+ANYSL_TIER float atan2(float y, float x) { return atan2InFloatOnly(y, x); }
 ANYSL_TIER float sinh(float x) { return sinhInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float cosh(float x) { return coshInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float tanh(float x) { return tanhInDouble<ShortPolynomials>(x); }
@@ -31,7 +31,7 @@ ANYSL_TIER float exp2(float x) { return exp2InFloatOnly(x); }
 ANYSL_TIER float log(float x) { return logInFloatOnly(x); }
 ANYSL_TIER float log2(float x) { return logScaled(x, Base2()); }
 ANYSL_TIER float log10(float x) { return logScaled(x, Base10()); }
-ANYSL_TIER float pow(float x, float y) { return powShort(x, y); }
+ANYSL_TIER float pow(float x, float y) { return powInDouble<ShortPower>(x, y); }
 ANYSL_TIER float cbrt(float x) { return cbrtInDouble<ShortPolynomials>(x); }
 ANYSL_TIER float sqrt(float x) { return squareRoot(x); }
 ANYSL_TIER float inversesqrt(float x) { return inverseSqrtInDouble(x); }

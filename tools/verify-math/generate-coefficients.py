@@ -78,10 +78,10 @@ def remez(f, weight, a, b, terms):
     return best
 
 
-def polynomial(f, weight, a, b, terms, bits):
-    """`terms` coefficients, each of `bits` bits; f, weight of x. Returns them and the error."""
-    fixed = []
-    for k in range(terms + 1):
+def polynomial(f, weight, a, b, terms, bits, first=()):
+    """`terms` coefficients, each of `bits` bits, `first` being given; f, weight of x. Returns them and the error."""
+    fixed = list(first)
+    for k in range(len(fixed), terms + 1):
         rest = lambda x: (f(x) - mp.polyval(fixed[::-1], x)) / x ** k
         c, error = remez(rest, lambda x: weight(x) * x ** k, a, b, terms - k)
         if c:
@@ -90,6 +90,7 @@ def polynomial(f, weight, a, b, terms, bits):
 
 
 TINY = mpf(10) ** -12
+CBRT_H = mpf(0.1035)  # |1 - m r^3| for the r that cbrtInFloat starts from
 SERIES = mpf(10) ** -24
 
 
@@ -103,7 +104,7 @@ def relativeOdd(f):
 
 
 def table():
-    """name, format, number of coefficients, function, weight, interval, meaning"""
+    """name, format, number of coefficients, function, weight, interval, meaning[, coefficients that are given]"""
     z2, z4 = (pi / 2) ** 2, (pi / 4) ** 2
     sinP, sinW = evenPart(sin), relativeOdd(sin)
     cosP = lambda z: (cos(sqrt(z)) - 1 + z / 2) / z ** 2
@@ -151,13 +152,17 @@ def table():
     add('CosU10', D, 3, cosP, cosW, Z, z4, 'cos r = 1 - z/2 + z^2 P(z), |r| <= pi/4')
     add('CosCr', D, 6, cosP, cosW, Z, z4, 'the same')
     add('Exp2U10', D, 6, exp2P, exp2W, -half, half, '2^f = 1 + f P(f), |f| <= 1/2')
+    for q, n in (('', 7), ('U35', 6), ('Cr', 10)):
+        add(f'Exp2Pow{q}', D, n, lambda f: mpf(2) ** f, lambda f: mpf(2) ** -f, -half, half, '2^f = P(f), the first coefficient 1', [mpf(1)])
     add('Expm1U10', D, 7, exp2P, expm1W, -half, half, 'the same, error relative to 2^f - 1')
     add('ExpCr', D, 11, expP1, expm1W1, -l, l, 'e^r = 1 + r P(r), |r| <= log(2)/2, error relative to e^r - 1')
     add('Exp64', D, 11, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
     add('Sinh64', D, 6, sinhP, sinhW, Z, mpf(0.375) ** 2, 'sinh r = r + r z P(z), |r| <= 3/8')
     add('LogU10', D, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f), 1+f in [sqrt 1/2, sqrt 2]')
-    for q, n in (('Pow', 4), ('Cr', 7)):
-        add(f'Atanh{q}', D, n, atanhP, atanhW, Z, smax, 'atanh s = s + s z P(z), the same range')
+    log2P = lambda z: 2 / log(2) * mp.atanh(sqrt(z)) / sqrt(z)
+    for q, n in (('', 5), ('U35', 4), ('Cr', 7)):
+        add(f'Log2Pow{q}', D, n, log2P, lambda z: 1 / log2P(z), Z, smax, 'log2 (1+f) = s P(z), s = f/(2+f), the same range')
+    add('AtanhCr', D, 7, atanhP, atanhW, Z, smax, 'atanh s = s + s z P(z), the same range')
     add('AtanhTail64', D, 7, atanhTail, atanhTailW, mpf(10) ** -8, smax, 'atanh s = s (1 + z/3 + z^2/5 + z^3 P(z))')
     add('AsinCr', D, 12, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
     for q, n in (('U10', 5), ('Cr', 11)):
@@ -166,25 +171,28 @@ def table():
         add(f'InverseCbrt{q}', D, n, icbrt, icbrtW, mpf(1), mpf(2), 'm^(-1/3), m in [1, 2], to start iterating from')
     # In float, with fused multiply-adds: u35 and fast.
     exp1P = lambda r: mpf(1) if near(r) else mp.expm1(r) / r
-    log1P = lambda f: 1 - f / 2 if near(f) else log(1 + f) / f
-    log1W = lambda f: mpf(1) if near(f) else f / log(1 + f)
-    for q, sinN, tanN, expN, exp2N, expm1N, logN, asinN, atanN, cbrtN in (
-            ('U35', 4, 6, 4, 6, 6, 9, 5, 8, 4), ('Fast', 2, 3, 2, 3, 4, 5, 2, 4, 3)):
+    log1P = lambda base: lambda f: (1 - f / 2 if near(f) else log(1 + f) / f) / log(base)
+    log1W = lambda base: lambda f: log(base) * (mpf(1) if near(f) else f / log(1 + f))
+    add('CbrtStep', F, 3, lambda h: (1 - h) ** (-mpf(1) / 3), lambda h: (1 - h) ** (mpf(1) / 3), -CBRT_H, CBRT_H, '(1-h)^(-1/3) = P(h), |h| <= 0.1035, the first coefficient 1', [mpf(1)])
+    for q, sinN, tanN, expN, exp2N, expm1N, logN, asinN, atanN in (
+            ('U35', 4, 6, 4, 6, 6, 9, 5, 8), ('Fast', 2, 3, 2, 3, 4, 5, 2, 4)):
         add(f'SinPi{q}', F, sinN, sinP, sinW, Z, z2 * mpf(1.01), 'sin r = r + r z P(z), |r| <= pi/2')
         add(f'Tan{q}', F, tanN, tanP, tanW, Z, z4 * mpf(1.01), 'tan r = r + r z P(z), |r| <= pi/4')
         add(f'Exp{q}', F, expN, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
         add(f'Exp2{q}', F, exp2N, exp2P, exp2W, -half, half, '2^f = 1 + f P(f), |f| <= 1/2')
         add(f'Expm1{q}', F, expm1N, exp1P, expm1W1, -l, l, 'e^r = 1 + r P(r), error relative to e^r - 1')
-        add(f'Log{q}', F, logN, log1P, log1W, lo, hi, 'log(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]')
+        add(f'Expm1Twice{q}', F, expm1N, lambda r: 2 * exp1P(2 * r), lambda r: expm1W1(2 * r) / 2, -l / 2, l / 2, 'e^2r = 1 + r P(r), error relative to e^2r - 1')
+        for base, name in ((mp.e, 'Log'), (2, 'Log2'), (10, 'Log10')):
+            add(f'{name}{q}', F, logN, log1P(base), log1W(base), lo, hi, f'{name.lower()}(1+f) = f P(f), 1+f in [sqrt 1/2, sqrt 2]')
         add(f'Asin{q}', F, asinN, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
         add(f'Atan{q}', F, atanN, atanP, atanW, Z, mpf(1), 'atan t = t + t z P(z), |t| <= 1')
-        add(f'InverseCbrt{q}', F, cbrtN, icbrt, icbrtW, mpf(1), mpf(2), 'm^(-1/3), m in [1, 2]')
     # In float, without: u10.
     add('ExpFloat', F, 5, expP, expW, -l, l, 'e^r = 1 + r + r^2 P(r), |r| <= log(2)/2')
     exp2P2 = lambda f: expP(f * log(2)) * log(2) ** 2
     add('Exp2Float', F, 5, exp2P2, lambda f: f * f / mpf(2) ** f, -half, half, '2^f = 1 + f log 2 + f^2 P(f), |f| <= 1/2')
     add('AsinFloat', F, 5, asinP, asinW, Z, quarter, 'asin r = r + r z P(z), |r| <= 1/2')
-    add('LogFloat', F, 9, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f)')
+    add('AtanFloat', F, 6, atanP, atanW, Z, mpf(0.65) ** 2, 'atan t = t + t z P(z), |t| <= 0.65')
+    add('LogFloat', F, 8, logP, logW, lo, hi, 'log(1+f) = f - f^2/2 + f^3 P(f)')
     return out
 
 
@@ -210,10 +218,10 @@ def main():
 
 namespace anysl::tier {
 ''')
-    for name, kind, terms, f, w, a, b, meaning in table():
-        if only and only not in name:
+    for name, kind, terms, f, w, a, b, meaning, *first in table():
+        if only and only != name:
             continue
-        c, error = polynomial(f, w, a, b, terms, 53 if kind == 'double' else 24)
+        c, error = polynomial(f, w, a, b, terms, 53 if kind == 'double' else 24, *first)
         print(f'/// {meaning}. Error 2^{float(log(error, 2)):.1f}.')
         print(f'inline constexpr {kind} {name}[{terms}] = {{')
         suffix = '' if kind == 'double' else 'f'
@@ -238,6 +246,30 @@ namespace anysl::tier {
         for i in range(0, 8, 3):
             print('    ' + ', '.join(rows[i:i + 3]) + ',')
         print('};')
+    print('''
+/// 1/pi for floats of exponent 2 j + 1 and 2 j + 2, without multiples of what gives multiples of 2, in two
+/// parts; products of a float with the first are exact.''')
+    rows = []
+    for j in range(64):
+        unit = mpf(2) ** (23 - 2 * j)
+        t = 1 / pi - unit * mp.nint(1 / pi / unit)
+        high = mp.nint(t / unit * 2 ** 29) * unit / 2 ** 29
+        rows.append((float(high).hex(), float(t - high).hex()))
+    for part, name in enumerate(('High', 'Low')):
+        print(f'inline constexpr double InversePi{name}[64] = {{')
+        for i in range(0, 64, 4):
+            print('    ' + ', '.join(row[part] for row in rows[i:i + 4]) + ',')
+        print('};')
+    print('''
+/// 1/pi for floats of exponent j + 1, without multiples of what gives multiples of 2.
+inline constexpr double InversePiRounded[128] = {''')
+    rows = []
+    for j in range(128):
+        unit = mpf(2) ** (23 - j)
+        rows.append(float(1 / pi - unit * mp.nint(1 / pi / unit)).hex())
+    for i in range(0, 128, 4):
+        print('    ' + ', '.join(rows[i:i + 4]) + ',')
+    print('};')
     print('''
 /// 2/pi from 64 zero bits before its point on, 32 bits a word.
 inline constexpr UInt32 TwoOverPiBits[42] = {''')
