@@ -61,6 +61,47 @@ ANYSL_TIER float powCorrect(float x, float y) {
   return power;
 }
 
+/// The angle of (x, y) as the sum of two doubles, for finite floats of which one is not 0: from the
+/// nearest arc tangent of a sixteenth, with an error of about 2^-64. One result in 2^39 may be
+/// rounded wrongly.
+ANYSL_TIER float angleNearMiddle(float y, float x) {
+  double ay = magnitude(y), ax = magnitude(x);
+  bool steep = ay > ax, back = __builtin_signbit(x);
+  double small = steep ? ax : ay, large = steep ? ay : ax;
+  // Of specials nobody wants the result.
+  bool finite = large > 0 && large < Infinity<double>;
+  large = finite ? large : 1;
+  small = finite ? small : 0;
+  Int32 k = Int32(small / large * 16 + 0.5);
+  double c = k * 0.0625;
+  // Both are exact: c is 0 where small and large are far apart.
+  double top = small - c * large, bottom = large + c * small;
+  double u = top / bottom;
+  Pair p = product(u, bottom);
+  double low = ((top - p.high) - p.low) / bottom;
+  double z = u * u;
+  double tail = u * (z * horner<Fusion::AsFits>(AtanSeries, z));
+  Pair angle = twoSum(AtanSixteenthsHigh[k], u);
+  angle.low += AtanSixteenthsLow[k] + (low + tail);
+  auto from = [](double high, double low, Pair angle) {
+    Pair rest = twoSum(high, -angle.high);
+    return Pair{rest.high, rest.low + (low - angle.low)};
+  };
+  angle = steep ? from(Pi / 2, PiLow / 2, angle) : angle;
+  angle = back ? from(Pi, PiLow, angle) : angle;
+  return float(roundToOdd(fastSum(angle.high, angle.low), 0));
+}
+
+ANYSL_TIER float atan2Correct(float y, float x) {
+  double angle = angleOf<LongPolynomials>(y, x);
+  float rounded = float(angle);
+  // Denormal floats have the middles of the numbers that are 2^-126 more; the angle is within 8
+  // units of a double.
+  if (__builtin_expect(isNearMiddle(angle + (angle < 0x1p-126 ? 0x1p-126 : 0)), 0))
+    rounded = angleNearMiddle(y, x);
+  return atan2Special(y, x, rounded);
+}
+
 ANYSL_TIER float hypotCorrect(float x, float y) {
   double a = x, b = y;
   Pair s = twoSum(a * a, b * b);

@@ -217,16 +217,26 @@ ANYSL_TIER float atanInDouble(float x) {
   return copySign(float(atanQuadrant<C>(a, 1)), x);
 }
 
+/// The angle of (x, y), from 0 to pi.
 template <class C>
-ANYSL_TIER float atan2InDouble(float y, float x) {
+ANYSL_TIER double angleOf(float y, float x) {
   double ay = magnitude(y), ax = magnitude(x);
   // Two infinities have the angle of (1, 1); one against a finite number that of 2^300.
   ay = ay == Infinity<double> ? 0x1p300 : ay;
   ax = ax == Infinity<double> ? 0x1p300 : ax;
   double angle = atanQuadrant<C>(ay, ax);
-  angle = __builtin_signbit(x) ? (Pi - angle) + PiLow : angle;
-  angle = x != x ? double(x) : angle;
-  return y != y ? y : copySign(float(angle), y);
+  return __builtin_signbit(x) ? (Pi - angle) + PiLow : angle;
+}
+
+/// An angle with y's sign, or the NaN that is among the arguments.
+ANYSL_TIER float atan2Special(float y, float x, float angle) {
+  angle = x != x ? x : angle;
+  return y != y ? y : copySign(angle, y);
+}
+
+template <class C>
+ANYSL_TIER float atan2InDouble(float y, float x) {
+  return atan2Special(y, x, float(angleOf<C>(y, x)));
 }
 
 //===-- exp, exp2 and the hyperbolic functions ------------------------------//

@@ -22,7 +22,7 @@ ANYSL_TIER float tan(float x) { return tanInDouble<LongPolynomials>(x); }
 ANYSL_TIER float asin(float x) { return asinInDouble<LongPolynomials>(x); }
 ANYSL_TIER float acos(float x) { return acosInDouble<LongPolynomials>(x); }
 ANYSL_TIER float atan(float x) { return atanInDouble<LongPolynomials>(x); }
-ANYSL_TIER float atan2(float y, float x) { return atan2InDouble<LongPolynomials>(y, x); }
+ANYSL_TIER float atan2(float y, float x) { return atan2Correct(y, x); }
 ANYSL_TIER float sinh(float x) { return sinhInDouble<LongPolynomials>(x); }
 ANYSL_TIER float cosh(float x) { return coshInDouble<LongPolynomials>(x); }
 ANYSL_TIER float tanh(float x) { return tanhInDouble<LongPolynomials>(x); }

@@ -271,6 +271,18 @@ inline constexpr double InversePiRounded[128] = {''')
         print('    ' + ', '.join(rows[i:i + 4]) + ',')
     print('};')
     print('''
+/// atan t = t + t z P(z), |t| <= 1/32: its series, whose next term is below 2^-73.
+inline constexpr double AtanSeries[6] = {''')
+    print('    ' + ', '.join(float(mpf((-1) ** (k + 1)) / (2 * k + 3)).hex() for k in range(6)) + ',')
+    print('''};
+/// The arc tangents of 0/16 to 16/16, each as the sum of two doubles.''')
+    rows = [(float(atan(mpf(k) / 16)), atan(mpf(k) / 16)) for k in range(17)]
+    for part, name in enumerate(('High', 'Low')):
+        print(f'inline constexpr double AtanSixteenths{name}[17] = {{')
+        for i in range(0, 17, 4):
+            print('    ' + ', '.join((float(exact - high) if part else high).hex() for high, exact in rows[i:i + 4]) + ',')
+        print('};')
+    print('''
 /// 2/pi from 64 zero bits before its point on, 32 bits a word.
 inline constexpr UInt32 TwoOverPiBits[42] = {''')
     mp.dps = 420

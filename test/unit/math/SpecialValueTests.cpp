@@ -142,6 +142,14 @@ TEST_CASE("pow of zero, infinity and negative numbers as in C") {
   exactly("pow", -2, 4, 16);
 }
 
+TEST_CASE("an angle just below the middle of two denormal floats is rounded down") {
+  // atan(t) is less than t, which is 1.5 times the smallest float; 3.5 times; and 2.5 times.
+  const Tier &cr = *findTier("cr");
+  CHECK(ofFloat(cr, "atan2", 0x3p-149f, 2) == 0x1p-149f);
+  CHECK(ofFloat(cr, "atan2", -0x7p-149f, 2) == -0x3p-149f);
+  CHECK(ofFloat(cr, "atan2", 0x5p-149f, 2) == 0x2p-149f);
+}
+
 TEST_CASE("atan2's table") {
   exactly("atan2", 0.0, 0.0, 0.0);
   exactly("atan2", -0.0, 0.0, -0.0);
