@@ -173,8 +173,8 @@ AllocaInst *Widener::phiVariable(const PHINode &phi) {
 
 //===-- Masks ---------------------------------------------------------------===//
 
-AllocaInst *Widener::maskVariable(unsigned leader) {
-  AllocaInst *&memory = maskVariables[leader];
+AllocaInst *Widener::maskVariable(Masks &masks, unsigned leader) {
+  AllocaInst *&memory = masks.variables[leader];
   if (!memory) {
     Type *type = allOn()->getType();
     const BasicBlock *home = schedule.plan(leader).block;
@@ -183,8 +183,8 @@ AllocaInst *Widener::maskVariable(unsigned leader) {
   return memory;
 }
 
-AllocaInst *Widener::leftVariable(unsigned index) {
-  AllocaInst *&memory = leftVariables[index];
+AllocaInst *Widener::leftVariable(Masks &masks, unsigned index) {
+  AllocaInst *&memory = masks.left[index];
   if (!memory) {
     Type *type = allOn()->getType();
     const BasicBlock *home = schedule.plan(index).block;
@@ -194,19 +194,32 @@ AllocaInst *Widener::leftVariable(unsigned index) {
 }
 
 /// Gives a block the mask that `above` and `without` of its plan describe.
-void Widener::subtractLeavers(unsigned index) {
-  Value *left = builder.CreateLoad(allOn()->getType(), leftVariable(index));
-  Value *mask = builder.CreateAnd(maskOf(schedule.plan(index).above), builder.CreateNot(left));
-  builder.CreateStore(mask, maskVariable(index));
+void Widener::subtractLeavers(Masks &masks, unsigned index) {
+  Value *left = builder.CreateLoad(allOn()->getType(), leftVariable(masks, index));
+  Value *all = maskOf(masks, schedule.plan(index).above);
+  builder.CreateStore(builder.CreateAnd(all, builder.CreateNot(left)), maskVariable(masks, index));
 }
 
-Value *Widener::maskOf(unsigned index) {
+/// The loop that a block is in, if it has none inside and lanes may leave it at different times.
+const Loop *Widener::innermostDivergent(unsigned index) const {
+  const Loop *loop = loops.getLoopFor(schedule.plan(index).block);
+  return loop && loop->isInnermost() && shapes.isDivergentLoop(loop) ? loop : nullptr;
+}
+
+Value *Widener::maskOf(Masks &masks, unsigned index) {
   const Schedule::Plan &plan = schedule.plan(index);
   if (plan.full)
     return allOn();
-  Value *&mask = loadedMasks[plan.leader];
+  if (&masks == &inIteration) {
+    const Loop *loop = innermostDivergent(index);
+    if (!loop)
+      return maskOf(active, index);
+    if (schedule.plan(plan.leader).block == loop->getHeader())
+      return allOn();
+  }
+  Value *&mask = masks.loaded[plan.leader];
   if (!mask)
-    mask = builder.CreateLoad(allOn()->getType(), maskVariable(plan.leader));
+    mask = builder.CreateLoad(allOn()->getType(), maskVariable(masks, plan.leader));
   return mask;
 }
 
@@ -223,9 +236,9 @@ Value *Widener::andMask(Value *mask, Value *condition) {
 }
 
 /// The lanes of a conditional block that go to its first successor, or to its second.
-Value *Widener::edgeMask(unsigned from, bool whenTrue) {
+Value *Widener::edgeMask(Masks &masks, unsigned from, bool whenTrue) {
   auto *branch = cast<BranchInst>(schedule.plan(from).block->getTerminator());
-  Value *mask = maskOf(from);
+  Value *mask = maskOf(masks, from);
   Value *condition = branch->getCondition();
   if (shapeOf(condition).isUniform()) {
     Value *one = base(condition);
@@ -301,7 +314,7 @@ void Widener::emitEntry() {
   }
   variablesEnd = end;
   if (!schedule.plan(0).full) {
-    AllocaInst *memory = maskVariable(0);
+    AllocaInst *memory = maskVariable(active, 0);
     builder.SetInsertPoint(end);
     builder.CreateStore(entryMask, memory);
   }
@@ -311,11 +324,15 @@ void Widener::emitBlock(unsigned index) {
   const Schedule::Plan &plan = schedule.plan(index);
   current = index;
   fetched.clear();
-  loadedMasks.clear();
+  active.loaded.clear();
+  inIteration.loaded.clear();
   builder.SetCurrentDebugLocation(DebugLoc());
   builder.SetInsertPoint(blocks[index].entry);
-  if (plan.above != Schedule::None)
-    subtractLeavers(index);
+  if (plan.above != Schedule::None) {
+    subtractLeavers(active, index);
+    if (innermostDivergent(index))
+      subtractLeavers(inIteration, index);
+  }
   if (plan.guarded) {
     builder.CreateCondBr(anyLane(currentMask()), blocks[index].body, blocks[plan.skipTo].entry);
   }
@@ -338,7 +355,8 @@ void Widener::emitBlock(unsigned index) {
 /// What happens where lanes take an edge: the target's phis get their values, and its mask the
 /// lanes.
 /// \p direct says that the target runs next, for all lanes that are here.
-void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool direct) {
+void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, Value *maskInIteration,
+                       bool direct) {
   const BasicBlock *source = schedule.plan(from).block;
   unsigned target = schedule.indexOf(to);
   const Schedule::Plan &plan = schedule.plan(target);
@@ -351,7 +369,8 @@ void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool di
   // A phi's variable is dead, too, for lanes that are here and go elsewhere: if they come to the
   // phi after all, it is by another edge, which has its turn later. So their own mask will do,
   // which is known before the branch's condition, and mostly needed for something else.
-  Value *here = maskOf(from);
+  bool isInside = !replaces && loop == innermostDivergent(from);
+  Value *here = maskOf(loop && isInside ? inIteration : active, from);
 
   for (const PHINode &phi : to->phis()) {
     AllocaInst *memory = phiVariable(phi);
@@ -369,17 +388,33 @@ void Widener::emitEdge(unsigned from, const BasicBlock *to, Value *mask, bool di
     builder.CreateStore(value, memory);
   }
 
-  for (unsigned index : leavers.lookup({from, target})) {
-    AllocaInst *left = leftVariable(index);
-    Value *before = builder.CreateLoad(mask->getType(), left);
-    builder.CreateStore(builder.CreateOr(before, mask), left);
-  }
-  if (plan.leader != target || plan.full || plan.above != Schedule::None)
+  addToMask(active, from, to, mask);
+  if (innermostDivergent(from))
+    addToMask(inIteration, from, to, maskInIteration);
+}
+
+/// Lanes take an edge: they are in its target, and no longer on the way to other blocks.
+void Widener::addToMask(Masks &masks, unsigned from, const BasicBlock *to, Value *mask) {
+  unsigned target = schedule.indexOf(to);
+  const Schedule::Plan &plan = schedule.plan(target);
+  const Loop *loop = loops.getLoopFor(to);
+  bool replaces = loop && loop->getHeader() == to;
+  // Who comes to other loops is known from `active`.
+  bool isCounted = &masks == &active || (loop == innermostDivergent(from) && !replaces);
+  auto add = [&](AllocaInst *memory) {
+    Value *before = builder.CreateLoad(mask->getType(), memory);
+    builder.CreateStore(builder.CreateOr(before, mask), memory);
+  };
+  for (unsigned index : leavers.lookup({from, target}))
+    if (&masks == &active || innermostDivergent(index) == innermostDivergent(from))
+      add(leftVariable(masks, index));
+  if (plan.leader != target || plan.full || plan.above != Schedule::None || !isCounted)
     return;
-  AllocaInst *memory = maskVariable(target);
-  if (!replaces && !isAll(mask))
-    mask = builder.CreateOr(builder.CreateLoad(mask->getType(), memory), mask);
-  builder.CreateStore(mask, memory);
+  auto *constant = dyn_cast<Constant>(mask);
+  if (replaces || (constant && constant->isAllOnesValue()))
+    builder.CreateStore(mask, maskVariable(masks, target));
+  else
+    add(maskVariable(masks, target));
 }
 
 void Widener::emitExit(unsigned index) {
@@ -404,12 +439,18 @@ void Widener::emitExit(unsigned index) {
     }
     if (branch->isUnconditional()) {
       const BasicBlock *to = branch->getSuccessor(0);
-      emitEdge(index, to, maskOf(index), schedule.indexOf(to) == plan.next[0]);
+      emitEdge(index, to, maskOf(index), maskOf(inIteration, index),
+               schedule.indexOf(to) == plan.next[0]);
     } else {
       // Both masks before either edge, whose effects they do not depend on.
-      Value *taken = edgeMask(index, true), *other = edgeMask(index, false);
-      emitEdge(index, branch->getSuccessor(0), taken, false);
-      emitEdge(index, branch->getSuccessor(1), other, false);
+      Value *masks[2][2];
+      for (unsigned i = 0; i < 2; ++i) {
+        masks[i][0] = edgeMask(active, index, i == 0);
+        masks[i][1] =
+            innermostDivergent(index) ? edgeMask(inIteration, index, i == 0) : masks[i][0];
+      }
+      for (unsigned i = 0; i < 2; ++i)
+        emitEdge(index, branch->getSuccessor(i), masks[i][0], masks[i][1], false);
     }
     builder.CreateBr(entryOf(plan.next[0]));
     return;
@@ -422,7 +463,7 @@ void Widener::emitExit(unsigned index) {
       edges[i] = BasicBlock::Create(
           context, plan.block->getName() + ".to." + branch->getSuccessor(i)->getName(), &widened,
           blocks[index].body->getNextNode());
-    Value *mask = maskOf(index);
+    Value *mask = maskOf(index), *maskInIteration = maskOf(inIteration, index);
     // Values that the edges use must be fetched where both can see them.
     for (unsigned i = 0; i < 2; ++i)
       for (const PHINode &phi : branch->getSuccessor(i)->phis())
@@ -432,7 +473,7 @@ void Widener::emitExit(unsigned index) {
     for (unsigned i = 0; i < 2; ++i) {
       builder.SetInsertPoint(edges[i]);
       const BasicBlock *to = branch->getSuccessor(i);
-      emitEdge(index, to, mask, schedule.indexOf(to) == plan.next[i]);
+      emitEdge(index, to, mask, maskInIteration, schedule.indexOf(to) == plan.next[i]);
       builder.CreateBr(entryOf(plan.next[i]));
     }
     return;
@@ -445,11 +486,11 @@ void Widener::emitExit(unsigned index) {
     Value *again = maskOf(index);
     if (branch->isConditional()) {
       bool repeatsWhenTrue = branch->getSuccessor(0) == header;
-      again = edgeMask(index, repeatsWhenTrue);
-      Value *leaving = edgeMask(index, !repeatsWhenTrue);
-      emitEdge(index, branch->getSuccessor(repeatsWhenTrue ? 1 : 0), leaving, false);
+      again = edgeMask(active, index, repeatsWhenTrue);
+      Value *leaving = edgeMask(active, index, !repeatsWhenTrue);
+      emitEdge(index, branch->getSuccessor(repeatsWhenTrue ? 1 : 0), leaving, leaving, false);
     }
-    emitEdge(index, header, again, true);
+    emitEdge(index, header, again, again, true);
     BasicBlock *done;
     if (plan.next[0] == Schedule::None) {
       done = BasicBlock::Create(context, "never", &widened);

@@ -51,23 +51,28 @@ public:
 private:
   using Value = llvm::Value;
   using Instruction = llvm::Instruction;
+  struct Masks;
 
   //===-- Control flow, Widener.cpp -----------------------------------------===//
   void emitEntry();
   void emitBlock(unsigned index);
   void emitExit(unsigned index);
-  void emitEdge(unsigned from, const llvm::BasicBlock *to, Value *mask, bool direct);
+  void emitEdge(unsigned from, const llvm::BasicBlock *to, Value *mask, Value *inIteration,
+                bool direct);
+  void addToMask(Masks &masks, unsigned from, const llvm::BasicBlock *to, Value *mask);
   bool needsEntryTest() const;
-  Value *edgeMask(unsigned from, bool whenTrue);
-  Value *maskOf(unsigned index);
+  Value *edgeMask(Masks &masks, unsigned from, bool whenTrue);
+  Value *maskOf(Masks &masks, unsigned index);
+  Value *maskOf(unsigned index) { return maskOf(active, index); }
   Value *currentMask() { return maskOf(current); }
+  const llvm::Loop *innermostDivergent(unsigned index) const;
   bool isFull() const { return schedule.plan(current).full; }
   bool isOccupied() const { return schedule.plan(current).occupied; }
   Value *anyLane(Value *mask);
   Value *andMask(Value *mask, Value *condition);
-  llvm::AllocaInst *maskVariable(unsigned leader);
-  llvm::AllocaInst *leftVariable(unsigned index);
-  void subtractLeavers(unsigned index);
+  llvm::AllocaInst *maskVariable(Masks &masks, unsigned leader);
+  llvm::AllocaInst *leftVariable(Masks &masks, unsigned index);
+  void subtractLeavers(Masks &masks, unsigned index);
   llvm::AllocaInst *phiVariable(const llvm::PHINode &phi);
   llvm::AllocaInst *variable(llvm::Type *type, Value *initial, const llvm::BasicBlock *home,
                              const llvm::Twine &name);
@@ -168,11 +173,19 @@ private:
   llvm::DenseMap<Value *, llvm::AllocaInst *> demoted;
   llvm::DenseMap<Value *, Value *> fetched; ///< in the current block
   llvm::DenseMap<const llvm::PHINode *, llvm::AllocaInst *> phiVariables;
-  llvm::DenseMap<unsigned, llvm::AllocaInst *> maskVariables;
-  llvm::DenseMap<unsigned, llvm::AllocaInst *> leftVariables; ///< who took an edge of `without`
+  /// The masks of blocks, in variables.
+  struct Masks {
+    llvm::DenseMap<unsigned, llvm::AllocaInst *> variables; ///< of blocks that are leaders
+    llvm::DenseMap<unsigned, llvm::AllocaInst *> left;      ///< who took an edge of `without`
+    llvm::DenseMap<unsigned, Value *> loaded;               ///< in the current block, by leader
+  };
+  Masks active; ///< which lanes are in a block
+  /// Which lanes would be if all had begun the iteration of the innermost loop, a divergent one.
+  /// That is what matters to a choice between values inside: lanes that have left the loop do not
+  /// look at them, and the choice does not wait for who has.
+  Masks inIteration;
   /// The blocks of whose `without` an edge is part.
   llvm::DenseMap<std::pair<unsigned, unsigned>, llvm::SmallVector<unsigned, 2>> leavers;
-  llvm::DenseMap<unsigned, Value *> loadedMasks; ///< in the current block, by leader
   llvm::SmallVector<llvm::AllocaInst *, 32> variables;
 };
 
