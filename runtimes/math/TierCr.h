@@ -19,18 +19,18 @@ inline constexpr int keepsFlags = 1;
 ANYSL_TIER float sin(float x) { return sinInDouble<LongPolynomials>(x); }
 ANYSL_TIER float cos(float x) { return cosInDouble<LongPolynomials>(x); }
 ANYSL_TIER float tan(float x) { return tanInDouble<LongPolynomials>(x); }
-ANYSL_TIER float asin(float x) { return asinInDouble<LongPolynomials>(x); }
-ANYSL_TIER float acos(float x) { return acosInDouble<LongPolynomials>(x); }
-ANYSL_TIER float atan(float x) { return atanInDouble<LongPolynomials>(x); }
+ANYSL_TIER float asin(float x) { return asinCorrect(x); }
+ANYSL_TIER float acos(float x) { return acosCorrect(x); }
+ANYSL_TIER float atan(float x) { return atanCorrect(x); }
 ANYSL_TIER float atan2(float y, float x) { return atan2Correct(y, x); }
 ANYSL_TIER float sinh(float x) { return sinhInDouble<LongPolynomials>(x); }
 ANYSL_TIER float cosh(float x) { return coshInDouble<LongPolynomials>(x); }
 ANYSL_TIER float tanh(float x) { return tanhInDouble<LongPolynomials>(x); }
 ANYSL_TIER float exp(float x) { return expInDouble<LongPolynomials>(x); }
-ANYSL_TIER float exp2(float x) { return exp2InDouble<LongPolynomials>(x); }
-ANYSL_TIER float log(float x) { return logInDouble<LongPolynomials>(x); }
+ANYSL_TIER float exp2(float x) { return exp2Correct(x); }
+ANYSL_TIER float log(float x) { return logCorrect(x); }
 ANYSL_TIER float log2(float x) { return log2InDouble<LongPolynomials>(x); }
-ANYSL_TIER float log10(float x) { return log10InDouble<LongPolynomials>(x); }
+ANYSL_TIER float log10(float x) { return log10Correct(x); }
 ANYSL_TIER float pow(float x, float y) { return powCorrect(x, y); }
 ANYSL_TIER float cbrt(float x) { return cbrtInDouble<LongPolynomials>(x); }
 ANYSL_TIER float sqrt(float x) { return squareRoot(x); }

@@ -150,6 +150,24 @@ TEST_CASE("an angle just below the middle of two denormal floats is rounded down
   CHECK(ofFloat(cr, "atan2", 0x5p-149f, 2) == 0x2p-149f);
 }
 
+TEST_CASE("the tier cr rounds correctly where a double is on the wrong side of a middle") {
+  const Tier &cr = *findTier("cr");
+  CHECK(ofFloat(cr, "asin", 0x1.107434p-1f) == 0x1.1f4b64p-1f);
+  CHECK(ofFloat(cr, "asin", -0x1.107434p-1f) == -0x1.1f4b64p-1f);
+  CHECK(ofFloat(cr, "acos", 0x1.110b46p-26f) == 0x1.921fb6p+0f);
+  CHECK(ofFloat(cr, "acos", 0x1.04c444p-12f) == 0x1.920f6ap+0f);
+  CHECK(ofFloat(cr, "atan", 0x1.1ad646p-4f) == 0x1.1a6386p-4f);
+  CHECK(ofFloat(cr, "atan", -0x1.1ad646p-4f) == -0x1.1a6386p-4f);
+  CHECK(ofFloat(cr, "exp2", 0x1.853a6ep-9f) == 0x1.00870ap+0f);
+  CHECK(ofFloat(cr, "exp2", -0x1.e7526ep-6f) == 0x1.f58d62p-1f);
+  CHECK(ofFloat(cr, "log", 0x1.827a74p-7f) == -0x1.1c2b1ep+2f);
+  CHECK(ofFloat(cr, "log", 0x1.2f1fd6p+3f) == 0x1.1fcbcep+1f);
+  CHECK(ofFloat(cr, "log", 0x1.bacb4ap+25f) == 0x1.1e0696p+4f);
+  CHECK(ofFloat(cr, "log", 0x1.b121a6p+76f) == 0x1.a9a3f2p+5f);
+  CHECK(ofFloat(cr, "log", 0x1.6351d8p+95f) == 0x1.08b512p+6f);
+  CHECK(ofFloat(cr, "log10", 0x1.fddcf4p-98f) == -0x1.d33a46p+4f);
+}
+
 TEST_CASE("atan2's table") {
   exactly("atan2", 0.0, 0.0, 0.0);
   exactly("atan2", -0.0, 0.0, -0.0);
