@@ -57,6 +57,9 @@ Demand readManifest(const std::shared_ptr<const render::SourceFile> &file);
 /// not say who gives a value.
 std::string writeManifest(const Demand &demand, bool places = true);
 
+/// The lights that shine on some shape: indices into SceneDescription::lights.
+std::set<uint32_t> usedLights(const render::SceneDescription &scene);
+
 /// What a scene says apart from its shaders' parameters. Some reader of the shaders has to find out
 /// what they ask each other.
 Demand demandOf(const render::SceneDescription &scene);

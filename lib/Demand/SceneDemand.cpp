@@ -16,16 +16,6 @@ using namespace anysl::render;
 namespace anysl::demand {
 namespace {
 
-/// The lights that shine on something.
-std::set<uint32_t> usedLights(const SceneDescription &scene) {
-  std::set<uint32_t> result;
-  for (const Shape &shape : scene.shapes) {
-    const std::vector<uint32_t> &lights = scene.appearances[shape.appearance].lights;
-    result.insert(lights.begin(), lights.end());
-  }
-  return result;
-}
-
 /// The places of shaders that some shape uses, and of those that others call.
 struct UsedShaders {
   std::set<int> surfaces, displacements, volumes, coshaders;
@@ -67,6 +57,15 @@ std::optional<Value> valueOf(const Parameter &parameter) {
 }
 
 } // namespace
+
+std::set<uint32_t> usedLights(const SceneDescription &scene) {
+  std::set<uint32_t> result;
+  for (const Shape &shape : scene.shapes) {
+    const std::vector<uint32_t> &lights = scene.appearances[shape.appearance].lights;
+    result.insert(lights.begin(), lights.end());
+  }
+  return result;
+}
 
 std::string shaderName(const std::string &file) {
   std::string name = std::filesystem::path(file).filename().string();

@@ -154,11 +154,8 @@ void addDisplays(const SceneDescription &scene, Effects &effects) {
                          : variable.name == "a" ? "Oi"
                                                 : variable.name;
       if (auto found = effects.find("Outputs." + name);
-          found != effects.end() && found->second.isKept()) {
-        std::string place = demand::placeOf(file.where);
-        found->second.because.insert("Display \"" + file.name + "\"" +
-                                     (place.empty() ? "" : " " + place));
-      }
+          found != effects.end() && found->second.isKept())
+        found->second.because.insert(described("Display", file.name, file.where));
     }
 }
 

@@ -8,13 +8,13 @@
 #include "tools/anysl-render/Lights.h"
 
 #include "StandardLights.h"
+#include "lib/Demand/Demand.h"
 #include "tools/anysl-render/AreaLights.h"
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <numbers>
-#include <set>
 
 using namespace anysl::render;
 
@@ -98,14 +98,9 @@ void store(float *target, Vec3d value) {
 SceneLights::SceneLights(const SceneDescription &scene, const ShaderCache &cache,
                          Warnings &warnings)
     : scene(scene) {
-  std::set<uint32_t> used;
-  for (const Shape &shape : scene.shapes) {
-    const std::vector<uint32_t> &lights = scene.appearances[shape.appearance].lights;
-    used.insert(lights.begin(), lights.end());
-  }
   useOf.resize(scene.lights.size());
   standard.resize(scene.lights.size());
-  for (uint32_t index : used) {
+  for (uint32_t index : demand::usedLights(scene)) {
     const LightUse &light = scene.lights[index];
     standard[index] = isStandardLight(light.name, cache);
     if (standard[index])

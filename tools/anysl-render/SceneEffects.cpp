@@ -13,12 +13,13 @@
 #include <map>
 
 namespace anysl::render {
-namespace {
 
 std::string described(const char *kind, const std::string &name, const Location &where) {
   std::string place = demand::placeOf(where);
   return std::string(kind) + " \"" + name + "\"" + (place.empty() ? "" : " " + place);
 }
+
+namespace {
 
 /// Shaders of some kind that shapes use.
 SceneEffect shaderEffect(const SceneDescription &scene, const char *name,
@@ -37,23 +38,13 @@ SceneEffect shaderEffect(const SceneDescription &scene, const char *name,
   return effect;
 }
 
-/// The lights that shine on some shape.
-std::set<uint32_t> shiningLights(const SceneDescription &scene) {
-  std::set<uint32_t> result;
-  for (const Shape &shape : scene.shapes) {
-    const std::vector<uint32_t> &lights = scene.appearances[shape.appearance].lights;
-    result.insert(lights.begin(), lights.end());
-  }
-  return result;
-}
-
 /// Each kind of light, and the shadows of each light.
 void addLights(const SceneDescription &scene, std::vector<SceneEffect> &effects) {
   std::map<std::string, SceneEffect> kinds;
   for (const char *standard : {"ambientlight", "distantlight", "pointlight", "spotlight"})
     kinds[standard];
   std::vector<SceneEffect> shadows;
-  for (uint32_t index : shiningLights(scene)) {
+  for (uint32_t index : demand::usedLights(scene)) {
     const LightUse &light = scene.lights[index];
     std::string place = described("light", light.handle, light.where);
     kinds[light.name].asking.insert(place);

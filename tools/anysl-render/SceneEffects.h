@@ -30,6 +30,9 @@ struct SceneEffect {
   std::function<void(SceneDescription &)> leaveOut;
 };
 
+/// What asks for an effect: kind "name" file:line.
+std::string described(const char *kind, const std::string &name, const Location &where);
+
 /// All such effects, those of the standard's kinds of lights included that the scene does without.
 std::vector<SceneEffect> sceneEffects(const SceneDescription &scene);
 
