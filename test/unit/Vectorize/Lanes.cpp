@@ -260,7 +260,7 @@ std::string compareLanes(const Module &module, StringRef name, const Comparison 
   orc::JITTargetMachineBuilder machine{Triple(sys::getProcessTriple())};
   machine.setCPU(how.cpu);
   machine.setRelocationModel(Reloc::PIC_);
-  machine.setCodeGenOptLevel(CodeGenOptLevel::Less);
+  machine.setCodeGenOptLevel(how.optimizeCode ? CodeGenOptLevel::Less : CodeGenOptLevel::None);
   auto made = orc::LLJITBuilder().setJITTargetMachineBuilder(std::move(machine)).create();
   if (!made)
     return toString(made.takeError());

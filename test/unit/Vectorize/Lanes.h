@@ -21,6 +21,7 @@ struct Comparison {
   unsigned rounds = 8;           ///< sets of inputs, each with several masks
   uint64_t seed = 1;
   bool optimizeScalar = false; ///< give the scalar function to LLVM's -O2 first
+  bool optimizeCode = true;    ///< as LLVM's -O1 does; else machine code is made in less time
   bool mindFlags = false;      ///< compare floating-point exception flags, too
 };
 
