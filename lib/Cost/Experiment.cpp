@@ -142,6 +142,14 @@ void Experiment::addSites(ShaderCost &cost) {
   }
 }
 
+/// Whether a result has one value, at all points.
+static bool isSameEverywhere(const shade::Result &result) {
+  for (size_t i = result.perPoint(); i < result.values.size(); ++i)
+    if (result.values[i] != result.values[i - result.perPoint()])
+      return false;
+  return true;
+}
+
 ShaderCost Experiment::run() {
   ShaderCost cost;
   std::vector<std::pair<std::string, std::string>> wanted = {
@@ -164,6 +172,8 @@ ShaderCost Experiment::run() {
   cost.points = first.grid->pointCount();
   for (const shade::Result &result : bench.results(first, first.widths().front()))
     cost.results.push_back(result.name);
+  cost.isSameEverywhere = cost.points > 1 && llvm::all_of(bench.truth(), isSameEverywhere);
+  cost.isLit = !settings.grid.lights.empty() || !settings.grid.recorded.empty();
   for (const link::ShaderReport &report : first.build->report.shaders)
     if (report.name == bench.shader()) {
       std::vector<std::string> functions;

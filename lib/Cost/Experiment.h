@@ -63,7 +63,10 @@ struct ShaderCost {
   std::string shader, kind, file;
   std::string oracle; ///< a real
   size_t points = 0;
-  std::vector<std::string> results;   ///< names of the outputs that are compared
+  std::vector<std::string> results; ///< names of the outputs that are compared
+  /// The truth is the same at every point, so that the variants say little of the shader.
+  bool isSameEverywhere = false;
+  bool isLit = false;                 ///< lights shine on the points
   std::vector<std::string> functions; ///< of which the tiers differ
   std::vector<Measurement> variants;
   /// Every call of such a function in the shader, for float at the widest width.

@@ -39,6 +39,9 @@ std::vector<std::string> summary(const ShaderCost &cost) {
       return m.variant.real == real && (m.variant.math == tier || is_contained(m.sameCode, tier));
     });
   };
+  if (cost.isSameEverywhere)
+    lines.push_back("Results are the same at every point, which says little of the shader" +
+                    std::string(cost.isLit ? "." : ": there are no lights (--light)."));
   const Measurement *exact = uniform("float", tiers().front());
   const Measurement *cheapest = uniform("float", tiers().back());
   const Measurement *wide = uniform("double", tiers().front());

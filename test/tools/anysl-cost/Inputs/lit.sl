@@ -1,0 +1,3 @@
+surface lit() {
+  Ci = diffuse(normalize(N));
+}
