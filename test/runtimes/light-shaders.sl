@@ -10,7 +10,7 @@
 // RUN: cp %t.packet.lamps.so %t.a.so && cp %t.scalar.lamps.so %t.b.so
 // RUN: %shade_everywhere %s %t %{lamps}
 // RUN: cp %t.scalar.lamps.so %t.a.so && cp %t.narrow.lamps.so %t.b.so
-// RUN: %shade_everywhere %s %t %{lamps}
+// RUN: %shade_everywhere --linked %s %t %{lamps}
 // ARGS: --grid 19x2 --ramp P=0,0,0:1,0,0:x --ramp N=0,0,1:0,0.5,0.5:y --set time=0.25 --light ambient:intensity=0.25
 // PRINT: random
 // EXPECT wrong: 0

@@ -8,7 +8,7 @@
 // RUN: cp %t.packet.told.so %t.a.so && cp %t.scalar.told.so %t.b.so
 // RUN: %shade_everywhere %s %t %{lamps}
 // RUN: cp %t.scalar.told.so %t.a.so && cp %t.packet.told.so %t.b.so
-// RUN: %shade_everywhere %s %t %{lamps}
+// RUN: %shade_everywhere --linked %s %t %{lamps}
 // ARGS: --grid 19x2 --ramp P=0,0,0:1,0,0:x --set N=0,0,1
 // EXPECT wrong: 0
 // EXPECT names: 4

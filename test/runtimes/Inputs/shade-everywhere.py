@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Shades a grid with one shader on every runtime, real and width, and compares the numbers.
 
-usage: shade-everywhere.py SHADER.sl TEMPORARY-PREFIX [options for anysl-shade]
+usage: shade-everywhere.py [--linked] SHADER.sl TEMPORARY-PREFIX [options for anysl-shade]
+
+With --linked, the libraries are those that an earlier call for the same shader and prefix has linked.
 
 The shader's comments say what to do:
 
@@ -50,7 +52,8 @@ def compare(what, got, wanted, tolerance):
             sys.exit(f"{what}: number {index} is {a!r}, not {b!r}")
 
 
-shader, prefix, *options = sys.argv[1:]
+is_linked = sys.argv[1] == "--linked"
+shader, prefix, *options = sys.argv[1 + is_linked:]
 text = open(shader).read()
 arguments = options + [word for line in re.findall(r"// ARGS: (.*)", text) for word in shlex.split(line)]
 parameters = [word for line in re.findall(r"// PARAM: (.*)", text) for word in shlex.split(line)]
@@ -64,14 +67,16 @@ names += [name for name in expected if name not in names]
 names = names or ["Ci"]
 reals = re.findall(r"// REALS: (.*)", text)
 
-run("rslc", shader, "-o", f"{prefix}.stc.bc")
+if not is_linked:
+    run("rslc", shader, "-o", f"{prefix}.stc.bc")
 reference = None
 for runtime, real in RUNTIMES:
     if reals and real not in reals[0].split():
         continue
     library = f"{prefix}.{runtime}.{real}.so"
-    run("anysl-link", f"{prefix}.stc.bc", "-o", library, "--runtime", runtime, "--real", real,
-        "--width", ",".join(map(str, WIDTHS[real])), *parameters)
+    if not is_linked:
+        run("anysl-link", f"{prefix}.stc.bc", "-o", library, "--runtime", runtime, "--real", real,
+            "--width", ",".join(map(str, WIDTHS[real])), *parameters)
     scalar = None
     for width in WIDTHS[real]:
         prints = [word for name in names for word in ("--print", name)]
