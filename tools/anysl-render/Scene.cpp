@@ -78,6 +78,10 @@ void Scene::loadShaders(const ShaderCache &cache, const AnyslServices &services,
                          : use.kind == ShaderKind::Displacement ? displacementServices
                                                                 : services);
   }
+  // What is left out moves no surface.
+  for (Appearance &appearance : description.appearances)
+    if (appearance.displacement >= 0 && !shaders[size_t(appearance.displacement)])
+      appearance.displacement = -1;
   if (std::any_of(shaders.begin(), shaders.end(),
                   [](const auto &shader) { return shader && shader->asksLights(); }))
     loader.open(lights.runStandard(cache));

@@ -217,7 +217,13 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
   if (found == libraryOf.end())
     return nullptr;
   AnyslLibrary *library = found->second->library.get();
-  const AnyslShaderInfo *info = findShader(library, use);
+  const AnyslShaderInfo *info = nullptr;
+  try {
+    info = findShader(library, use);
+  } catch (const UserError &error) {
+    warnings.fail(error.where, error.message);
+    return nullptr;
+  }
   auto shader = std::make_unique<Shader>();
   shader->scene = &scene;
   shader->use = &use;
