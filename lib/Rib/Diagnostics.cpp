@@ -13,14 +13,9 @@
 using namespace anysl::render;
 
 void Location::lineAndColumn(size_t &line, size_t &column) const {
-  line = column = 1;
-  for (size_t i = 0; i < offset && i < file->text.size(); ++i) {
-    ++column;
-    if (file->text[i] == '\n') {
-      ++line;
-      column = 1;
-    }
-  }
+  std::string_view before = std::string_view(file->text).substr(0, offset);
+  line = 1 + size_t(std::count(before.begin(), before.end(), '\n'));
+  column = before.size() - (before.rfind('\n') + 1) + 1; // npos + 1 is 0
 }
 
 std::string anysl::render::formatMessage(const Location &where, std::string_view kind,

@@ -13,8 +13,13 @@ using namespace anysl::render;
 
 void RibState::addShape(ShapeGeometry geometry, ParameterList variables,
                         const VariableCounts &counts, RibArguments &arguments) {
-  if (!inWorld())
-    throw UserError(arguments.where(), "a shape outside WorldBegin ... WorldEnd");
+  if (!inWorld()) {
+    const std::string message = "a shape outside WorldBegin ... WorldEnd";
+    if (!warnings.keepGoing)
+      throw UserError(arguments.where(), message);
+    warnings.warnOnce(message, arguments.where(), message + "; such shapes are left out");
+    return;
+  }
   if (state.isLeftOut)
     return;
   checkVariables(variables, counts, warnings);
