@@ -384,6 +384,23 @@ Value *Lowering::lowerConditional(const ConditionalExpr &conditional) {
   return result;
 }
 
+/// 0, (0, 0, 0) or either as a vector.
+static bool isZero(const Expr *expr) {
+  if (auto *number = dyn_cast<NumberExpr>(expr))
+    return number->value == 0;
+  if (auto *tuple = dyn_cast<TupleExpr>(expr))
+    return llvm::all_of(tuple->elements, isZero);
+  auto *cast = dyn_cast<CastExpr>(expr);
+  return cast && !cast->space && isZero(cast->operand);
+}
+
+/// `L = 0`, which classic ambient lights say although it is so anyway.
+static bool saysAmbient(const AssignExpr &assign) {
+  auto *target = dyn_cast<NameExpr>(assign.target);
+  return target && target->decl->kind == VarKind::Global && target->name == "L" &&
+         isZero(assign.value);
+}
+
 /// The value of an assignment is that of its target afterwards.
 Value *Lowering::lowerAssign(const AssignExpr &assign) {
   bool isSimple = isa<NameExpr>(assign.target);
@@ -407,7 +424,9 @@ Value *Lowering::lowerAssign(const AssignExpr &assign) {
   }
   Value *value = lower(assign.value);
   at(assign.loc);
-  if (isSimple)
+  if (saysAmbient(assign))
+    target = {slotOf(*cast<NameExpr>(assign.target)->decl), assign.type, nullptr};
+  else if (isSimple)
     target = place(assign.target);
   store(target, value);
   return target.component ? value : target.slot;

@@ -7,8 +7,8 @@
 //
 // A light shader says where its light goes by what L is at its end: from the light to Ps, or the
 // zero vector where no light arrives. L is zero until an illuminate or solar statement whose cone
-// holds Ps, or an assignment, sets it; of several the last counts. A light shader that never does
-// is an ambient light.
+// holds Ps, or an assignment, sets it; of several the last counts. A light shader that never does,
+// or only to 0, is an ambient light.
 //
 //===------------------------------------------------------------------------------------------===//
 

@@ -6,7 +6,7 @@
 // DEFINE: %{lamps} = --light %t.a.so:key --light %t.b.so:cone --light %t.a.so:branch --light %t.b.so:outside \
 // DEFINE:   --light %t.a.so:sky --light %t.b.so:facing --light %t.b.so:surroundings --light %t.a.so:glow \
 // DEFINE:   --light %t.a.so:direct --light %t.b.so:here:space=0,0,1,0,1,0,0,0,0,1,0,0,0,0,5,1 \
-// DEFINE:   --light pointlight:from=0,0,2:category=standard --light %t.packet.lamps.so:noisy
+// DEFINE:   --light %t.b.so:classic --light %t.a.so:triples --light pointlight:from=0,0,2:category=standard --light %t.packet.lamps.so:noisy
 // RUN: cp %t.packet.lamps.so %t.a.so && cp %t.scalar.lamps.so %t.b.so
 // RUN: %shade_everywhere %s %t %{lamps}
 // RUN: cp %t.scalar.lamps.so %t.a.so && cp %t.narrow.lamps.so %t.b.so
@@ -38,7 +38,7 @@ surface asking(output varying float wrong = 0, lights = 0; output varying color 
   color c, o, d;
   string category = "";
 
-  wrong += 1 - same(ambient(), color(0.25 + x));
+  wrong += 1 - same(ambient(), color(0.25 + x + 0.5 + 0.125));
 
   n = ask("key", N, l, c, o);
   wrong += n != 1 || !same(l, vector (-x, 0, 2)) || !same(c, 4 * color(1, 2, 3) / (x * x + 4)) || !same(o, color(1)) ? 10 : 0;

@@ -74,3 +74,13 @@ light weighted(output varying float __nondiffuse = 0; output varying float __non
   solar (vector (0, 0, -1), 0)
     Cl = 1;
 }
+
+// Classic ambient lights set L to 0.
+light classic() {
+  L = 0;
+  Cl = 0.5;
+}
+light triples() {
+  Cl = 0.125;
+  L = vector (0, 0, 0);
+}
