@@ -106,6 +106,7 @@ struct MemberExpr : Expr {
   Expr *base;
   StringRef name;
   SMRange nameRange;
+  Type wanted; ///< the array that the context wants, if it does
   MemberExpr(SMRange range, Expr *base, StringRef name, SMRange nameRange)
       : Expr(ExprKind::Member, nameRange.Start, range), base(base), name(name),
         nameRange(nameRange) {}
@@ -253,6 +254,9 @@ struct CallExpr : Expr {
   ArrayOp arrayOp = ArrayOp::Resize;
   CoshaderOp coshaderOp = CoshaderOp::Get;
   StringRef remoteName; ///< Member, Method: its name; "" if the renderer is not asked
+  Type wanted;          ///< the array or structure that the context wants, if it does
+  /// Member, Method: the variables that get a result which is an array or structure.
+  ArrayRef<VarDecl *> results;
   CallExpr(SMRange nameRange, SMRange range, StringRef name, llvm::MutableArrayRef<Expr *> args)
       : Expr(ExprKind::Call, nameRange.Start, range), name(name), nameRange(nameRange), args(args) {
   }
@@ -473,9 +477,10 @@ struct FunctionDecl {
   SMRange range; ///< of the name
   Type result;
   bool resultHasStorage = false;
+  Expr *resultLength = nullptr; ///< of an array, as written; null: none, or `[]`
   ArrayRef<VarDecl *> params;
   ArrayRef<VarDecl *> leaves;        ///< the parameters, structures as their members; from Sema on
-  VarDecl *resultVariable = nullptr; ///< of a function that returns a structure; from Sema on
+  VarDecl *resultVariable = nullptr; ///< of one that returns a structure or array; from Sema on
   BlockStmt *body = nullptr;
   FunctionDecl *outer = nullptr;    ///< the function that it is nested in
   StructDecl *parent = nullptr;     ///< whose method it is

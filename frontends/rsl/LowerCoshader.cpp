@@ -117,6 +117,8 @@ Value *Lowering::callMethod(const CallExpr &call) {
       if (arg->hasEffects)
         lower(arg);
     at(call.loc);
+    for (const VarDecl *part : call.results)
+      setZero(part->type, slotOf(*part));
     return call.type.is(TypeKind::Void) ? nullptr : zero(call.type);
   }
   Value *handle = lowerBefore(isVariable ? call.args[0] : call.object, true);
@@ -141,7 +143,11 @@ Value *Lowering::callMethod(const CallExpr &call) {
     what = parameterName(call.args[1], variable.component ? addItem(message, type, 0u)
                                                           : addItem(message, type, variable.slot));
   } else {
-    std::string own = hasResult ? addItem(message, call.type, 0u) : "v";
+    std::string own = hasResult ? addItem(message, call.type, 0u) : call.results.empty() ? "v" : "";
+    for (const VarDecl *part : call.results) {
+      setZero(part->type, slotOf(*part));
+      own += addItem(message, part->type, slotOf(*part));
+    }
     what = text(isMethod ? (call.remoteName + "(" + shapes + ")" + own).str()
                          : ("." + call.remoteName + ":" + own).str());
   }
@@ -166,6 +172,9 @@ Value *Lowering::callMethod(const CallExpr &call) {
           store(place(name), unpack(message, i));
     if (result)
       copy(call.type, result, unpack(message, unsigned(message.items.size()) - 1));
+    unsigned index = unsigned(message.items.size() - call.results.size());
+    for (const VarDecl *part : call.results)
+      copy(part->type, slotOf(*part), unpack(message, index++));
   }
   branchTo(end);
   continueIn(end);

@@ -419,7 +419,9 @@ Value *Lowering::lowerAssign(const AssignExpr &assign) {
     target = place(assign.target);
   if (auto *list = dyn_cast<ListExpr>(assign.value)) {
     Place array = place(assign.target);
-    lowerListInto(*list, array.slot);
+    Value *value = copied(assign.target->type, array.slot); // the list may name the array
+    lowerListInto(*list, value);
+    copy(assign.target->type, array.slot, value);
     return array.slot;
   }
   Value *value = lower(assign.value);

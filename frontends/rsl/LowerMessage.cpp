@@ -129,6 +129,8 @@ void Lowering::lowerMethod(const MethodCall &method) {
   bool hasResult = shapeLetter(result) != 'v';
   if (hasResult)
     addItem(message, result, 0u);
+  for (const VarDecl *part : method.call->results)
+    addItem(message, part->type, part->type.isArray() ? unsigned(part->type.length) : 0u);
   message.numbers = method.numbers ? paramSlot(*method.numbers) : nullptr;
   message.texts = method.texts ? paramSlot(*method.texts) : nullptr;
   unsigned index = 0;
@@ -140,6 +142,8 @@ void Lowering::lowerMethod(const MethodCall &method) {
     pack(message, i, slots[method.arguments[i]]);
   if (hasResult)
     pack(message, index, value);
+  for (const VarDecl *part : method.call->results)
+    pack(message, index++, slotOf(*part));
 }
 
 } // namespace anysl::rsl

@@ -186,7 +186,8 @@ void Parser::parseTopLevel() {
     return skipToDeclaration();
   }
   Specifiers specifiers = parseSpecifiers();
-  skipArrayResult(specifiers);
+  if (!parseArrayResult(specifiers))
+    return skipToDeclaration();
   if (!at(TokenKind::Identifier) || !peek(1).is(TokenKind::LeftParen)) {
     if (at(TokenKind::Identifier))
       errorHere("variables cannot be declared outside of shaders and functions");
@@ -236,8 +237,9 @@ FunctionDecl *Parser::parseFunction(const Specifiers &specifiers) {
   decl->name = name.text;
   decl->range = name.range();
   decl->result = {specifiers.hasType ? specifiers.type : TypeKind::Void, specifiers.varying,
-                  Type::NoArray, specifiers.structure};
+                  specifiers.isArray ? Type::AnyLength : Type::NoArray, specifiers.structure};
   decl->resultHasStorage = specifiers.hasStorage;
+  decl->resultLength = specifiers.length;
   decl->outer = function;
   function = decl;
   std::vector<VarDecl *> params;
@@ -258,23 +260,36 @@ FunctionDecl *Parser::parseFunction(const Specifiers &specifiers) {
   return ok ? decl : nullptr;
 }
 
-/// `float[3] f(…)`, which RSL does not have, is reported, and the function is then there without
-/// the brackets.
-void Parser::skipArrayResult(Specifiers &specifiers) {
-  if (!specifiers.hasType || !at(TokenKind::LeftBracket))
-    return;
-  bool hasLength = !peek(1).is(TokenKind::RightBracket);
-  if (!peek(hasLength + 1).is(TokenKind::RightBracket) ||
-      !peek(hasLength + 2).is(TokenKind::Identifier) ||
-      !peek(hasLength + 3).is(TokenKind::LeftParen))
-    return;
-  SMLoc begin = peek().loc;
-  position += hasLength + 2;
-  diags
-      .error(begin, "a function cannot return an array; let it set one that is an 'output' "
-                    "parameter")
-      .range(rangeFrom(begin));
-  specifiers.type = TypeKind::Error;
+/// Whether `[…] name(` stands there, as between the type of a function's result and its name.
+bool Parser::atArrayResult(unsigned ahead) const {
+  if (!peek(ahead).is(TokenKind::LeftBracket))
+    return false;
+  unsigned open = 0;
+  do {
+    if (peek(ahead).isOneOf(TokenKind::End, TokenKind::Semicolon, TokenKind::LeftBrace))
+      return false;
+    open += peek(ahead).is(TokenKind::LeftBracket);
+    open -= peek(ahead).is(TokenKind::RightBracket);
+    ++ahead;
+  } while (open);
+  return peek(ahead).is(TokenKind::Identifier) && peek(ahead + 1).is(TokenKind::LeftParen);
+}
+
+/// `[]` or `[length]` of a function that gives an array; false after an error.
+bool Parser::parseArrayResult(Specifiers &specifiers) {
+  if (!specifiers.hasType || !atArrayResult(0))
+    return true;
+  SMLoc begin = take().loc;
+  specifiers.isArray = true;
+  if (!at(TokenKind::RightBracket) && !(specifiers.length = parseExpr()))
+    return false;
+  if (!expect(TokenKind::RightBracket, "after the length of an array"))
+    return false;
+  if (specifiers.type == TypeKind::Void) {
+    diags.error(begin, "there are no arrays of 'void'").range(rangeFrom(begin));
+    specifiers.type = TypeKind::Error;
+  }
+  return true;
 }
 
 /// Functions for calls that leave out the last arguments, the longest first. Where a parameter was,

@@ -115,8 +115,8 @@ Stmt *Parser::parseStatementInner() {
   if (atDefinition("struct", TokenKind::LeftBrace))
     return ast.make<StructStmt>(loc, parseStruct());
   // A type's name also begins a conversion, but then no name and no storage class follows it.
-  if (atSpecifier() &&
-      (!atTypeName() || peek(1).is(TokenKind::Identifier) || peek(1).isKeyword())) {
+  if (atSpecifier() && (!atTypeName() || peek(1).is(TokenKind::Identifier) || peek(1).isKeyword() ||
+                        atArrayResult(1))) {
     bool isConversion = atTypeName() && peek(2).is(TokenKind::LeftParen);
     if (isConversion) {
       // `float f(…) {` against `float noise(…);`
@@ -163,6 +163,8 @@ Stmt *Parser::parseUnknownType() {
 Stmt *Parser::parseDeclaration() {
   Specifiers specifiers = parseSpecifiers();
   SMLoc loc = specifiers.loc;
+  if (!parseArrayResult(specifiers))
+    return nullptr;
   if (at(TokenKind::Identifier) && peek(1).is(TokenKind::LeftParen)) {
     FunctionDecl *decl = parseFunction(specifiers);
     return decl ? ast.make<FunctionStmt>(loc, decl) : ast.make<Stmt>(StmtKind::Empty, loc);

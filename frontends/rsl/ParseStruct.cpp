@@ -19,9 +19,10 @@ StructDecl *Parser::structNamed(StringRef name) const {
   return nullptr;
 }
 
-/// At a type that is no reserved word: `shader`, or the name of a structure, in front of a name.
+/// At a type that is no reserved word: `shader`, or the name of a structure, in front of a name or
+/// of the brackets of a function's result.
 bool Parser::atNamedType() const {
-  return at(TokenKind::Identifier) && peek(1).is(TokenKind::Identifier) &&
+  return at(TokenKind::Identifier) && (peek(1).is(TokenKind::Identifier) || atArrayResult(1)) &&
          (peek().text == "shader" || structNamed(peek().text));
 }
 
@@ -110,7 +111,8 @@ bool Parser::parseMember(StructDecl &decl, std::vector<VarDecl *> &members,
   while (at(TokenKind::Identifier) && (peek().text == "public" || peek().text == "private"))
     isPublic = take().text == "public";
   Specifiers specifiers = parseSpecifiers();
-  skipArrayResult(specifiers);
+  if (!parseArrayResult(specifiers))
+    return false;
   if (at(TokenKind::Identifier) && peek(1).is(TokenKind::LeftParen)) {
     size_t before = methods.size();
     FunctionDecl *method = parseFunction(specifiers);

@@ -40,6 +40,8 @@ private:
     bool hasType = false;
     TypeKind type = TypeKind::Error;
     const StructDecl *structure = nullptr;
+    bool isArray = false; ///< of a function's result: `float[] f()`
+    Expr *length = nullptr;
     SMLoc loc;
   };
 
@@ -65,7 +67,8 @@ private:
   void parseShader(ShaderType type);
   FunctionDecl *parseFunction(const Specifiers &specifiers);
   void makeShorterForms(FunctionDecl &decl);
-  void skipArrayResult(Specifiers &specifiers);
+  bool atArrayResult(unsigned ahead) const;
+  bool parseArrayResult(Specifiers &specifiers);
   bool parseParams(VarKind kind, std::vector<VarDecl *> &params, FunctionDecl *owner);
   Specifiers parseSpecifiers();
   VarDecl *parseVariable(VarKind kind, const Specifiers &specifiers, FunctionDecl *owner);

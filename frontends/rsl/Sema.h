@@ -51,9 +51,7 @@ private:
     const Builtin *builtin = nullptr;
     TypeKind result() const { return function ? function->result.kind : builtin->result; }
     Type resultType() const {
-      return function
-                 ? Type{function->result.kind, false, Type::NoArray, function->result.structure}
-                 : Type{builtin->result};
+      return function ? function->result.withVarying(false) : Type{builtin->result};
     }
     size_t size() const { return function ? function->params.size() : builtin->arguments.size(); }
     Type type(size_t i) const;
@@ -78,6 +76,7 @@ private:
   void checkParam(VarDecl &param);
   void checkVariable(VarDecl &decl);
   void checkArrayLength(VarDecl &decl);
+  int arrayLength(Expr *length);
   void checkInitialiser(VarDecl &decl);
   void checkExtern(ExternStmt &stmt);
   void matchLibraryFunction(FunctionDecl &function);
@@ -114,7 +113,9 @@ private:
 
   // Arrays whose length changes (SemaArray.cpp)
   static void raiseCapacity(Expr *array, int capacity);
-  static void raiseCapacityFor(Expr *array, Type from);
+  void raiseCapacityFor(Expr *array, Type from);
+  void checkArrayResult(FunctionDecl &decl);
+  Expr *checkArrayReturn(Expr *value, SMLoc loc);
   void checkResizedArguments(const CallExpr &call);
   Expr *checkArrayCall(CallExpr &call);
   void checkParams(llvm::ArrayRef<VarDecl *> &params);
@@ -123,6 +124,8 @@ private:
   Expr *checkCoshaderCall(CallExpr &call);
   Expr *checkRemoteMember(MemberExpr &member, TypeKind hint);
   Expr *checkRemoteCall(CallExpr &call, TypeKind hint);
+  Expr *setRemoteResult(CallExpr &call, llvm::SmallVectorImpl<Expr *> &steps, Type other);
+  static llvm::SmallVector<VarDecl *, 8> resultLeaves(const FunctionDecl &method);
   std::string shapeOf(Type &type, int wantedCapacity) const;
   void warnDeclined(const NamedGroup::Argument &argument, StringRef function, const Expr &name);
   void makeMethods(StructDecl &decl, llvm::ArrayRef<Stmt *> begin);
@@ -172,6 +175,7 @@ private:
   Type arithmeticType(BinaryExpr &binary);
   Expr *convert(Expr *expr, Type to, const llvm::Twine &what);
   Expr *checkAs(Expr *expr, Type to, const llvm::Twine &what);
+  Expr *checkWhole(Expr *expr, Type to, const llvm::Twine &what);
   bool checkStorage(const Expr *value, bool targetVaries, const llvm::Twine &what);
   std::optional<double> constant(const Expr *expr);
 

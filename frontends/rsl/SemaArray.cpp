@@ -53,6 +53,37 @@ void Sema::raiseCapacity(Expr *array, int capacity) {
 void Sema::raiseCapacityFor(Expr *array, Type from) {
   if (from.length > 0)
     raiseCapacity(array, from.length);
+  else if (from.isArray()) // a parameter, as long as the argument that it will get
+    raiseCapacity(array, options.arrayCapacity);
+}
+
+/// What stands behind the type of a function's result: `float[3] f()`, `float[] f()`.
+void Sema::checkArrayResult(FunctionDecl &decl) {
+  if (!decl.result.isArray())
+    return;
+  decl.result.isResizable = !decl.resultLength;
+  if (decl.resultLength) {
+    decl.resultLength = check(decl.resultLength, TypeKind::Float);
+    decl.result.length = arrayLength(decl.resultLength);
+  } else if (decl.result.structure) {
+    diags.error(decl.range.Start, "an array of structures needs a length").range(decl.range);
+    decl.result.length = 1;
+    decl.result.isResizable = false;
+  }
+}
+
+/// What a function returns becomes the value of a variable of its own.
+Expr *Sema::checkArrayReturn(Expr *value, SMLoc loc) {
+  const Type result = function->result;
+  value = checkWhole(value, result, "returning from '" + function->name + "'");
+  if (value->type.isError())
+    return value;
+  NameExpr *variable = reference(*function->resultVariable, value->range);
+  raiseCapacityFor(variable, value->type);
+  if (!checkStorage(value, variable->type.varying,
+                    "returning from uniform function '" + function->name + "'"))
+    return failed(value);
+  return assignment(variable, value, loc);
 }
 
 /// Arguments for parameters whose length the function changes.

@@ -199,7 +199,10 @@ int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> 
   for (size_t i = 0; i < args.size(); ++i) {
     Type param = candidate.type(i);
     if (args[i].isError()) {
-      bool fits = param.isNumeric() || param.isError();
+      auto *inner = dyn_cast<CallExpr>(call.args[i]);
+      bool isRemote = inner && inner->object; // another shader gives what is wanted
+      bool fits = param.isNumeric() || param.isError() ||
+                  (isRemote && (param.isArray() || param.structure));
       if (isa<TupleExpr>(call.args[i]))
         fits = param.isTriple();
       if (!fits)
@@ -220,9 +223,10 @@ int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> 
       total += price;
     }
   }
-  if (hint == TypeKind::Error)
+  Type wanted = call.wanted.isError() ? Type{hint} : call.wanted;
+  if (wanted.isError())
     return total;
-  int price = conversionCost({candidate.result()}, {hint});
+  int price = conversionCost(candidate.resultType(), wanted);
   return total + (price < 0 ? 1000 : price);
 }
 

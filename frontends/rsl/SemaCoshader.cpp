@@ -126,11 +126,34 @@ Expr *Sema::checkRemoteMember(MemberExpr &member, TypeKind hint) {
   call->object = member.base;
   call->form = CallForm::Coshader;
   call->coshaderOp = CoshaderOp::Member;
-  call->type = wantedType(hint, member.base->type.varying);
   call->hasEffects = member.base->hasEffects;
   call->depth = member.depth;
   call->remoteName = member.name;
-  return call;
+  if (!member.wanted.structure) // parameters are no structures
+    call->wanted = member.wanted;
+  SmallVector<Expr *, 2> steps;
+  return setRemoteResult(*call, steps, wantedType(hint, member.base->type.varying));
+}
+
+/// The call is what it gives, of type `other`, unless its context wants an array or a structure:
+/// then it is a step that sets a variable, which is the value.
+Expr *Sema::setRemoteResult(CallExpr &call, SmallVectorImpl<Expr *> &steps, Type other) {
+  call.type = other;
+  if (call.wanted.isError())
+    return sequence(steps, &call, call.range);
+  call.type = {TypeKind::Void};
+  call.hasEffects = true;
+  Type type = call.wanted.withVarying(true);
+  if (type.isArray() && (type.isResizable || type.length == Type::AnyLength)) {
+    type.length = std::max(type.length, options.arrayCapacity);
+    type.isResizable = true;
+  }
+  NameExpr *result = hiddenVariable(type, call.range);
+  SmallVector<VarDecl *, 8> leaves;
+  appendLeaves(result->decl, leaves);
+  call.results = ast.copy<VarDecl *>(leaves);
+  steps.push_back(&call);
+  return sequence(steps, result, call.range);
 }
 
 /// handle->method(arguments). Variables among the arguments get back what the method makes of them.
@@ -148,7 +171,6 @@ Expr *Sema::checkRemoteCall(CallExpr &call, TypeKind hint) {
   }
   SmallVector<Expr *, 4> steps;
   flattenArguments(call, steps);
-  call.type = hint == TypeKind::Error ? Type{TypeKind::Void} : wantedType(hint, true);
   call.remoteName = call.name;
   for (Expr *arg : call.args) {
     if (!isSendable(arg->type) && !call.remoteName.empty()) {
@@ -163,7 +185,8 @@ Expr *Sema::checkRemoteCall(CallExpr &call, TypeKind hint) {
     if (name && isRemoteOutput(*name->decl))
       checkTarget(arg, arg->type.varying, arg->loc, "an argument of another shader's method");
   }
-  return sequence(steps, &call, call.range);
+  return setRemoteResult(call, steps,
+                         hint == TypeKind::Error ? Type{TypeKind::Void} : wantedType(hint, true));
 }
 
 /// Whether a variable that is an argument gets a value back.
@@ -173,6 +196,14 @@ bool isRemoteOutput(const VarDecl &decl) {
 }
 
 //===-- Methods that others call ----------------------------------------------------------------//
+
+/// The variables that a method's result consists of; none if it is a number or text.
+SmallVector<VarDecl *, 8> Sema::resultLeaves(const FunctionDecl &method) {
+  SmallVector<VarDecl *, 8> leaves;
+  if (method.resultVariable)
+    appendLeaves(method.resultVariable, leaves);
+  return leaves;
+}
 
 /// How a type is written in a method's name; "" if values of it cannot be handed over. An array of
 /// any length gets room for the usual number of elements.
@@ -194,19 +225,26 @@ std::string Sema::shapeOf(Type &type, int wantedCapacity) const {
 void Sema::makeMethods(StructDecl &decl, ArrayRef<Stmt *> begin) {
   std::set<std::string> known;
   for (FunctionDecl *method : decl.methods) {
-    char result = shapeLetter(method->result);
-    if (!method->isPublic || !result || method->name == "construct" || method->name == "begin")
+    if (!method->isPublic || method->name == "construct" || method->name == "begin")
       continue;
-    std::string shapes;
-    std::vector<Type> types;
     bool fits = true;
-    for (const VarDecl *param : method->leaves) {
-      types.push_back(param->type.withVarying(true));
-      std::string shape = shapeOf(types.back(), param->wantedCapacity);
-      fits &= !shape.empty();
-      shapes += shape;
-    }
-    std::string name = (decl.name + "." + method->name + "(" + shapes + ")" + Twine(result)).str();
+    auto shapesOf = [&](ArrayRef<VarDecl *> values, std::vector<Type> *types) {
+      std::string shapes;
+      for (const VarDecl *value : values) {
+        Type type = value->type.withVarying(true);
+        std::string shape = shapeOf(type, value->wantedCapacity);
+        fits &= !shape.empty();
+        shapes += shape;
+        if (types)
+          types->push_back(type);
+      }
+      return shapes;
+    };
+    std::vector<Type> types;
+    std::string shapes = shapesOf(method->leaves, &types);
+    std::string result = method->resultVariable ? shapesOf(resultLeaves(*method), nullptr)
+                                                : std::string(1, shapeLetter(method->result));
+    std::string name = (decl.name + "." + method->name + "(" + shapes + ")" + result).str();
     if (fits && known.insert(name).second)
       ast.shaders.push_back(makeMethod(decl, *method, name, types, begin));
   }
@@ -239,8 +277,11 @@ ShaderDecl *Sema::makeMethod(StructDecl &decl, FunctionDecl &method, StringRef n
   auto *call = ast.make<CallExpr>(range, range, method.name, ast.copy<Expr *>(references));
   call->function = &method;
   call->hasEffects = true;
-  call->type = {method.result.kind, true};
-  if (shapeLetter(method.result) != 'v')
+  call->type = {method.resultVariable ? TypeKind::Void : method.result.kind, true};
+  call->results = ast.copy<VarDecl *>(resultLeaves(method));
+  for (const VarDecl *result : call->results)
+    count(result->type);
+  if (!call->type.is(TypeKind::Void))
     count(method.result);
 
   std::vector<VarDecl *> params(decl.params.begin(), decl.params.end());

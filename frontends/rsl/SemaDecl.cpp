@@ -218,10 +218,12 @@ void Sema::checkFunction(FunctionDecl &decl) {
 
 /// Makes a function known where it stands.
 void Sema::declareFunction(FunctionDecl &decl) {
+  checkArrayResult(decl);
   SmallVector<FunctionDecl *, 2> &overloads = scopes.back().functions[decl.name];
   for (FunctionDecl *&other : overloads) {
-    bool same =
-        other->result.kind == decl.result.kind && other->params.size() == decl.params.size();
+    bool same = other->result.kind == decl.result.kind &&
+                other->result.isArray() == decl.result.isArray() &&
+                other->params.size() == decl.params.size();
     for (size_t i = 0; same && i < decl.params.size(); ++i)
       same = other->params[i]->type.kind == decl.params[i]->type.kind &&
              other->params[i]->type.structure == decl.params[i]->type.structure &&
@@ -255,8 +257,12 @@ void Sema::checkBody(FunctionDecl &decl) {
   SmallVector<VarDecl *, 16> leaves;
   appendLeaves(decl.params, leaves);
   decl.leaves = ast.copy<VarDecl *>(leaves);
-  if (decl.result.structure)
-    decl.resultVariable = hiddenVariable(decl.result, decl.range)->decl;
+  if (decl.result.structure || decl.result.isArray()) {
+    bool isUniform = decl.resultHasStorage && !decl.result.varying;
+    Type result = decl.result.withVarying(decl.result.structure || !isUniform);
+    result.length = result.isResizable ? 1 : result.length;
+    decl.resultVariable = hiddenVariable(result, decl.range)->decl;
+  }
   pushScope();
   for (Stmt *stmt : decl.body->body)
     checkStmt(stmt);
@@ -288,7 +294,7 @@ void Sema::matchLibraryFunction(FunctionDecl &decl) {
   };
   for (const Builtin *builtin : overloads) {
     size_t fields = builtin->named ? builtin->named->fields.size() : 0;
-    bool same = agree(builtin->result, decl.result.kind) &&
+    bool same = agree(builtin->result, decl.result.kind) && !decl.result.isArray() &&
                 builtin->arguments.size() + fields == decl.params.size();
     for (size_t i = 0; same && i < builtin->arguments.size(); ++i)
       same = agree(builtin->arguments[i].type, decl.params[i]->type.kind) &&
@@ -336,24 +342,28 @@ void Sema::checkArrayLength(VarDecl &decl) {
     decl.type.length = 1;
     return;
   }
-  std::optional<double> value = constant(decl.length);
-  if (!value && decl.kind == VarKind::Local && !decl.type.structure &&
+  if (!constant(decl.length) && decl.kind == VarKind::Local && !decl.type.structure &&
       decl.length->type.is(TypeKind::Float)) {
     decl.type.isResizable = true; // as if resize() came next
     decl.type.length = 64;
-  } else if (!value) {
-    diags.error(decl.length->loc, "the length of an array must be a constant number")
-        .range(decl.length->range);
-    decl.type.length = 1;
-  } else if (*value < 1 || *value > stc::maxArrayLength || *value != static_cast<int>(*value)) {
-    diags
-        .error(decl.length->loc,
-               "the length of an array must be an integer from 1 to " + Twine(stc::maxArrayLength))
-        .range(decl.length->range);
-    decl.type.length = 1;
   } else {
-    decl.type.length = static_cast<int>(*value);
+    decl.type.length = arrayLength(decl.length);
   }
+}
+
+/// The constant that a checked expression for an array's length is; 1 after an error.
+int Sema::arrayLength(Expr *length) {
+  std::optional<double> value = constant(length);
+  if (value && *value >= 1 && *value <= stc::maxArrayLength && *value == static_cast<int>(*value))
+    return static_cast<int>(*value);
+  if (length->type.isError())
+    return 1;
+  diags
+      .error(length->loc, value ? "the length of an array must be an integer from 1 to " +
+                                      Twine(stc::maxArrayLength)
+                                : Twine("the length of an array must be a constant number"))
+      .range(length->range);
+  return 1;
 }
 
 void Sema::checkVariable(VarDecl &decl) {
@@ -388,12 +398,11 @@ void Sema::checkInitialiser(VarDecl &decl) {
   if (decl.type.isArray()) {
     auto *list = dyn_cast<ListExpr>(decl.init);
     if (!list) {
-      decl.init = check(decl.init);
+      decl.init = checkWhole(decl.init, decl.type, what);
       if (decl.type.length == Type::AnyLength && decl.init->type.isArray())
         decl.type.length = decl.init->type.length;
       if (decl.type.isResizable && decl.init->type.isArray())
         decl.type.length = std::max(decl.type.length, decl.init->type.length);
-      decl.init = convert(decl.init, decl.type, what);
     } else {
       if (decl.type.length == Type::AnyLength && !list->elements.empty())
         decl.type.length = static_cast<int>(list->elements.size());

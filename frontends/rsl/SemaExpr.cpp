@@ -133,6 +133,10 @@ Expr *Sema::checkName(NameExpr &name) {
 Expr *Sema::checkIndex(IndexExpr &index) {
   index.base = check(index.base);
   index.index = checkAs(index.index, {TypeKind::Float, true}, "an index");
+  // What a function gives stands in a variable, behind the call.
+  SmallVector<Expr *, 2> steps;
+  if (index.base->type.isArray())
+    index.base = splitSteps(index.base, steps);
   index.hasEffects = index.base->hasEffects || index.index->hasEffects;
   Type base = index.base->type;
   if (base.isError() || index.index->type.isError())
@@ -158,7 +162,7 @@ Expr *Sema::checkIndex(IndexExpr &index) {
     return failed(&index);
   }
   index.type.varying |= index.index->type.varying;
-  return &index;
+  return sequence(steps, &index, index.range);
 }
 
 Expr *Sema::checkNegate(NegateExpr &negate, TypeKind hint) {
@@ -530,14 +534,13 @@ Expr *Sema::checkAssign(AssignExpr &assign) {
     assign.value = operation;
   }
   if (target.structure && !assign.isCompound) {
-    assign.value = convert(check(assign.value), target, what);
+    assign.value = checkWhole(assign.value, target, what);
     if (assign.value->type.isError())
       return failed(&assign);
     return assignStruct(assign.target, assign.value, assign.loc, assign.range);
   }
   if (target.isArray()) {
-    assign.value = check(assign.value);
-    assign.value = convert(assign.value, target, what);
+    assign.value = checkWhole(assign.value, target, what);
     raiseCapacityFor(assign.target, assign.value->type);
   } else {
     assign.value = checkAs(assign.value, target, what);
@@ -552,7 +555,25 @@ Expr *Sema::checkAssign(AssignExpr &assign) {
 
 Expr *Sema::checkAs(Expr *expr, Type to, const Twine &what) {
   std::string text = what.str();
+  if (to.isArray() || to.structure)
+    return checkWhole(expr, to, text);
   return convert(check(expr, to.kind), to, text);
+}
+
+/// The same for an array or a structure: {…} is one too, and what another shader gives is what is
+/// wanted of it.
+Expr *Sema::checkWhole(Expr *expr, Type to, const Twine &what) {
+  std::string text = what.str();
+  if (auto *list = dyn_cast<ListExpr>(expr); list && to.isArray() && !to.structure) {
+    if (to.isResizable || to.length == Type::AnyLength)
+      to.length = std::max<int>(1, int(list->elements.size()));
+    return checkList(*list, to);
+  }
+  if (auto *call = dyn_cast<CallExpr>(expr))
+    call->wanted = to;
+  else if (auto *member = dyn_cast<MemberExpr>(expr))
+    member->wanted = to;
+  return convert(check(expr), to, text);
 }
 
 /// The value as one of another type, with the storage class that it has.

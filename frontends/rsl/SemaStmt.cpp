@@ -162,10 +162,14 @@ void Sema::checkReturn(ReturnStmt &stmt) {
     return;
   }
   if (result.structure) {
-    stmt.value = convert(check(stmt.value), result, "returning from '" + function->name + "'");
+    stmt.value = checkWhole(stmt.value, result, "returning from '" + function->name + "'");
     if (!stmt.value->type.isError())
       stmt.value = assignStruct(reference(*function->resultVariable, stmt.value->range), stmt.value,
                                 stmt.loc, stmt.value->range);
+    return;
+  }
+  if (result.isArray()) {
+    stmt.value = checkArrayReturn(stmt.value, stmt.loc);
     return;
   }
   stmt.value = checkAs(stmt.value, result, "returning from '" + function->name + "'");

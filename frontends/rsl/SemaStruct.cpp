@@ -118,7 +118,7 @@ void Sema::appendLeaves(ArrayRef<VarDecl *> decls, SmallVectorImpl<VarDecl *> &l
       leaves.push_back(decl);
 }
 
-/// A variable of a structure that no declaration makes.
+/// A variable of a structure, or an array, that no declaration makes.
 NameExpr *Sema::hiddenVariable(Type type, SMRange range) {
   auto *decl = ast.make<VarDecl>();
   decl->kind = VarKind::Local;
@@ -128,7 +128,8 @@ NameExpr *Sema::hiddenVariable(Type type, SMRange range) {
   decl->owner = function;
   decl->isHidden = true;
   decl->isRead = true;
-  expandStruct(*decl);
+  if (type.structure)
+    expandStruct(*decl);
   return reference(*decl, range);
 }
 
@@ -378,7 +379,7 @@ void Sema::initialiseStruct(VarDecl &decl) {
   NameExpr *name = reference(decl, decl.range);
   if (!list || !decl.type.isArray()) {
     std::string what = ("initialising '" + decl.name + "'").str();
-    Expr *value = convert(check(decl.init), decl.type, what);
+    Expr *value = checkWhole(decl.init, decl.type, what);
     decl.init = value->type.isError()
                     ? value
                     : assignStruct(name, value, decl.range.Start, decl.init->range);
@@ -395,7 +396,7 @@ void Sema::initialiseStruct(VarDecl &decl) {
     number->type = {TypeKind::Float};
     auto *element = ast.make<IndexExpr>(decl.range.Start, decl.range, name, number);
     element->type = decl.type.element();
-    Expr *value = convert(check(list->elements[i]), element->type, "an element");
+    Expr *value = checkWhole(list->elements[i], element->type, "an element");
     if (!value->type.isError())
       steps.push_back(assignStruct(element, value, decl.range.Start, list->elements[i]->range));
   }
@@ -501,14 +502,17 @@ void Sema::bindObject(CallExpr &call, SmallVectorImpl<Expr *> &steps) {
   call.self = ast.copy<Expr *>(self);
 }
 
-/// A call of a function that returns a structure: the function's own result variable is copied, for
-/// the next call changes it.
+/// A call of a function that returns a structure or an array: the function's own result variable is
+/// copied, for the next call changes it.
 Expr *Sema::copyResult(CallExpr &call, SmallVectorImpl<Expr *> &steps) {
   VarDecl *source = call.function->resultVariable;
   call.type = {TypeKind::Void};
   steps.push_back(&call);
   NameExpr *result = hiddenVariable(source->type, call.range);
-  assignMembers(result, reference(*source, call.range), call.loc, steps);
+  if (source->type.structure)
+    assignMembers(result, reference(*source, call.range), call.loc, steps);
+  else
+    steps.push_back(assignment(result, reference(*source, call.range), call.loc));
   return sequence(steps, result, call.range);
 }
 

@@ -26,7 +26,7 @@ namespace {
 struct Signature {
   std::string_view name;
   std::vector<ValuePlace> arguments;
-  ValuePlace result;
+  std::vector<ValuePlace> results; ///< a structure's members; none of what gives nothing
   bool isGood = false;
 
   explicit Signature(std::string_view text) {
@@ -36,28 +36,35 @@ struct Signature {
     name = text.substr(0, open);
     std::string_view letters = text.substr(open + 1, close - open - 1),
                      last = text.substr(close + 1);
-    ValuePlace place;
-    while (!letters.empty()) {
-      if (!takeShape(letters, place.shape))
-        return;
-      arguments.push_back(place);
-      place = place.next();
-    }
-    result = place;
-    isGood = takeShape(last, result.shape) && last.empty();
+    isGood = take(letters, arguments) && (last == "v" || (!last.empty() && take(last, results)));
   }
 
-  uint32_t numbers() const { return result.next().number; }
-  uint32_t texts() const { return result.next().text; }
+  uint32_t numbers() const { return end.number; }
+  uint32_t texts() const { return end.text; }
+
+private:
+  /// The values of `tf3s` behind those before; false if that is none.
+  bool take(std::string_view letters, std::vector<ValuePlace> &places) {
+    while (!letters.empty()) {
+      if (!takeShape(letters, end.shape) || end.shape.letter == 'v')
+        return false;
+      places.push_back(end);
+      end = end.next();
+    }
+    return true;
+  }
+
+  ValuePlace end; ///< behind all values
 };
 
 /// A float may be handed over for a triple, which then has it three times, or for a matrix; an
-/// array for one that has room for it.
-bool converts(const ValueShape &from, const ValueShape &to) {
+/// array for one that has room for it. What a method gives may be cut off.
+bool converts(const ValueShape &from, const ValueShape &to, bool isResult = false) {
   bool isFloat = from.letter == 'f' && (to.letter == 't' || to.letter == 'm');
   if (from.isArray != to.isArray || (from.letter != to.letter && !isFloat))
     return false;
-  return !from.isArray || to.isResizable || (!from.isResizable && from.length == to.length);
+  return !from.isArray || to.isResizable ||
+         (from.isResizable ? isResult : from.length == to.length);
 }
 
 void convert(const AnyslMessage &source, const ValuePlace &from, AnyslMessage &target,
@@ -77,17 +84,18 @@ void convert(const AnyslMessage &source, const ValuePlace &from, AnyslMessage &t
 bool fits(const Signature &call, const Signature &method) {
   bool good = method.isGood && call.name == method.name &&
               call.arguments.size() == method.arguments.size() &&
-              (call.result.shape.letter == 'v' || converts(method.result.shape, call.result.shape));
+              (call.results.empty() || call.results.size() == method.results.size());
   for (size_t i = 0; good && i < call.arguments.size(); ++i)
     good = converts(call.arguments[i].shape, method.arguments[i].shape);
+  for (size_t i = 0; good && i < call.results.size(); ++i)
+    good = converts(method.results[i].shape, call.results[i].shape, true);
   return good;
 }
 
 bool isSame(const Signature &call, const Signature &method) {
-  bool same = call.result.shape == method.result.shape;
-  for (size_t i = 0; i < call.arguments.size(); ++i)
-    same &= call.arguments[i].shape == method.arguments[i].shape;
-  return same;
+  auto same = [](const ValuePlace &a, const ValuePlace &b) { return a.shape == b.shape; };
+  return std::ranges::equal(call.arguments, method.arguments, same) &&
+         std::ranges::equal(call.results, method.results, same);
 }
 
 std::string_view classOf(const AnyslShaderInfo &shader) {
@@ -250,8 +258,8 @@ bool callMethod(const AnyslInstance &instance, const AnyslShadeArgs &args, uint3
   for (size_t i = 0; i < call.arguments.size(); ++i)
     if (call.arguments[i].shape.letter == own.arguments[i].shape.letter)
       convert(its, own.arguments[i], message, call.arguments[i]);
-  if (call.result.shape.letter != 'v')
-    convert(its, own.result, message, call.result);
+  for (size_t i = 0; i < call.results.size(); ++i)
+    convert(its, own.results[i], message, call.results[i]);
   return true;
 }
 

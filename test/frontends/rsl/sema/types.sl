@@ -34,7 +34,13 @@ float some(float x) { if (x > 0) return 1; }    // expected-warning {{function '
 float assigns(float x) { x = 1; return x; }     // expected-warning {{parameter 'x' is not 'output'}} expected-note {{declared here}}
 float recursive(float x) { return recursive(x - 1); } // expected-error {{function 'recursive' calls itself}} expected-note {{declared here}}
 float defaulted(float x = 1, y) { return x; }   // expected-error {{parameter 'x' cannot have a default: one behind it has none}}
-float[3] listed(float x) { float a[3]; return a; } // expected-error {{a function cannot return an array; let it set one that is an 'output' parameter}}
+float[3] listed(float x) { float a[3]; return a; }
+float[2] shorter() { return listed(1); } // expected-error {{returning from 'shorter': a value of type 'float[3]' is no 'float[2]'}}
+float[] single() { return 1; }           // expected-error {{returning from 'single': a value of type 'float' is no 'float[]'}}
+float[2] many() { return {1, 2, 3}; }    // expected-error {{3 values for an array of 2}}
+float[0.5] half() { float a[]; return a; } // expected-error {{the length of an array must be an integer from 1 to}}
+uniform float[] same(varying float x) { return {1, x}; } // expected-error {{returning from uniform function 'same': the value is varying}}
+void[] none() { return 1; }               // expected-error {{there are no arrays of 'void'}}
 
 surface calls() {
   Ci = twice("a");                    // expected-error {{no function 'twice' takes (string)}}
