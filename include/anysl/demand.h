@@ -44,7 +44,8 @@ typedef enum AnyslAssumption {
 typedef struct AnyslSourceInfo {
   uint64_t globals_written; /**< as in AnyslShaderInfo */
   uint32_t effects;
-  uint32_t reserved;
+  uint32_t keeps_opacity; /**< of the shader as it was linked, not of its source: 1 if it leaves Oi
+                               as it is, or makes it Os; 0: not known */
 } AnyslSourceInfo;
 
 typedef struct AnyslDemandInfo {
@@ -52,7 +53,8 @@ typedef struct AnyslDemandInfo {
   uint32_t assumes;            /**< bit 1 << ANYSL_ASSUMES_...: what the scene does without */
   uint64_t digest;             /**< of the manifest: equal for equal demands */
   const char *manifest;        /**< what it was linked for, as JSON (docs/effects.md) */
-  const char *dropped_outputs; /**< names of the output parameters nobody looks at, with commas */
+  const char *dropped_outputs; /**< names of the outputs nobody looks at, with commas: output
+                                    parameters, and "Ci" or "Oi" of surfaces */
   double time;                 /**< of all points, where no motion is assumed */
   const AnyslSourceInfo *sources; /**< of each shader of the library */
 } AnyslDemandInfo;
@@ -62,7 +64,8 @@ typedef struct AnyslSceneFacts {
   uint32_t struct_size;
   uint32_t has; /**< bit 1 << ANYSL_ASSUMES_...: it has what is assumed not to be there */
   const char *const *outputs; /**< output parameters that it wants, with a null pointer behind the
-                                   last; null: none */
+                                   last; null: none. Ci and Oi are wanted as well, unless the list
+                                   names one of the two and not the other */
   double time;                /**< of all points, where it has no motion */
 } AnyslSceneFacts;
 

@@ -33,7 +33,7 @@ struct ShaderDemand {
 /// What a scene calls for. What is not said is not known, and kept.
 struct Demand {
   std::map<std::string, ShaderDemand, std::less<>> shaders;
-  /// The outputs that somebody looks at: "Ci", output parameters.
+  /// The outputs that somebody looks at: output parameters, "Ci", "Oi".
   std::optional<std::vector<std::string>> outputs;
   /// Names of parameters that other shaders of the scene ask for or set.
   std::optional<std::vector<std::string>> asked;
@@ -46,6 +46,9 @@ struct Demand {
   std::optional<std::vector<std::string>> textures;
   std::optional<bool> displacement, atmosphere, imager, lens;
   std::optional<std::array<double, 2>> shutter; ///< when it opens and closes
+
+  /// Whether somebody looks at "Ci" or at "Oi": at both, unless `outputs` names just one of them.
+  bool looksAt(std::string_view light) const;
 
   /// Bits 1 << ANYSL_ASSUMES_... of what a library for this scene may take for granted.
   uint32_t assumptions() const;

@@ -255,6 +255,13 @@ std::string writeManifest(const Demand &demand, bool places) {
   return result + "}";
 }
 
+bool Demand::looksAt(std::string_view light) const {
+  auto names = [this](std::string_view name) {
+    return outputs && std::find(outputs->begin(), outputs->end(), name) != outputs->end();
+  };
+  return names(light) || names("Ci") == names("Oi");
+}
+
 uint32_t Demand::assumptions() const {
   auto bit = [](AnyslAssumption assumption, bool holds) {
     return holds ? uint32_t(1) << assumption : 0;

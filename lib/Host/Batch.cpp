@@ -458,10 +458,13 @@ AnyslStatus anysl_batch_want_output(AnyslBatch *batch, const char *param) {
     int index;
     if (AnyslStatus status = provideParam(*batch, param, ANYSL_PARAM_OUTPUT, index))
       return status;
-    const char *const outputs[] = {param, nullptr};
+    // Whether Ci and Oi are wanted is another matter: at least one of them is there.
+    const AnyslDemandInfo *demand = demandOf(*batch->library);
+    const char *const outputs[] = {param, demand && isDropped(*demand, "Ci") ? "Oi" : "Ci",
+                                   nullptr};
     AnyslSceneFacts facts = {};
     facts.outputs = outputs;
-    if (const AnyslDemandInfo *demand = demandOf(*batch->library))
+    if (demand)
       facts.time = demand->time;
     return checkDemand(*batch->library, facts);
   });

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <string_view>
+#include <vector>
 
 using namespace anysl::host;
 
@@ -21,16 +22,6 @@ const char *const assumptionNames[] = {
 #include <anysl/Assumptions.def>
 };
 
-bool isListed(std::string_view list, std::string_view name) {
-  while (!list.empty()) {
-    size_t end = std::min(list.find(','), list.size());
-    if (list.substr(0, end) == name)
-      return true;
-    list.remove_prefix(std::min(end + 1, list.size()));
-  }
-  return false;
-}
-
 /// What a library lacks for a scene, as the end of a sentence; empty if nothing.
 std::string lacking(const AnyslDemandInfo &demand, const AnyslSceneFacts &facts) {
   for (uint32_t i = 0; i < ANYSL_ASSUMPTION_COUNT; ++i)
@@ -39,9 +30,17 @@ std::string lacking(const AnyslDemandInfo &demand, const AnyslSceneFacts &facts)
   if (demand.assumes & 1u << ANYSL_ASSUMES_NO_MOTION && demand.time != facts.time)
     return "at time " + std::to_string(demand.time) + ", and this one is at time " +
            std::to_string(facts.time);
+  std::vector<std::string_view> wanted;
   for (const char *const *output = facts.outputs; output && *output; ++output)
-    if (isListed(demand.dropped_outputs, *output))
-      return std::string("that does not show '") + *output + "', and this one does";
+    wanted.push_back(*output);
+  auto names = [&](std::string_view output) {
+    return std::find(wanted.begin(), wanted.end(), output) != wanted.end();
+  };
+  if (names("Ci") == names("Oi"))
+    wanted.insert(wanted.end(), {"Ci", "Oi"});
+  for (std::string_view output : wanted)
+    if (isDropped(demand, output))
+      return "that does not show '" + std::string(output) + "', and this one does";
   return {};
 }
 
@@ -51,6 +50,17 @@ const AnyslDemandInfo *anysl::host::demandOf(const LoadedLibrary &library) {
   auto *demand = static_cast<const AnyslDemandInfo *>(
       library.handle ? dlsym(library.handle, ANYSL_DEMAND_SYMBOL) : nullptr);
   return demand && demand->struct_size == sizeof(AnyslDemandInfo) ? demand : nullptr;
+}
+
+bool anysl::host::isDropped(const AnyslDemandInfo &demand, std::string_view output) {
+  std::string_view list = demand.dropped_outputs;
+  while (!list.empty()) {
+    size_t end = std::min(list.find(','), list.size());
+    if (list.substr(0, end) == output)
+      return true;
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return false;
 }
 
 AnyslSourceInfo anysl::host::sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader) {

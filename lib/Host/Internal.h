@@ -20,6 +20,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace anysl::host {
@@ -67,6 +68,8 @@ AnyslStatus checkDescriptor(const LoadedLibrary &library);
 
 /// What a library was linked for; null: any scene.
 const AnyslDemandInfo *demandOf(const LoadedLibrary &library);
+/// Whether it was linked for a scene that does not look at this output.
+bool isDropped(const AnyslDemandInfo &demand, std::string_view output);
 /// What a shader of a library could do for any scene.
 AnyslSourceInfo sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader);
 /// Fails if the library lacks what a scene calls for.

@@ -66,8 +66,9 @@ private:
         ConstantFP::get(builder.getDoubleTy(), scene.shutter ? (*scene.shutter)[0] : 0);
     SmallVector<Constant *> sources;
     for (const Shader &shader : session.shaders)
-      sources.push_back(structure(sizeof(AnyslSourceInfo),
-                                  {u64(shader.sourceWritten), u32(shader.sourceEffects), u32(0)}));
+      sources.push_back(
+          structure(sizeof(AnyslSourceInfo), {u64(shader.sourceWritten), u32(shader.sourceEffects),
+                                              u32(shader.keepsOpacity)}));
     Constant *info =
         structure(sizeof(AnyslDemandInfo), {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
                                             u64(xxh3_64bits(manifest)), text(manifest),

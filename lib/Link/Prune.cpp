@@ -14,6 +14,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Link/Prune.h"
+#include "lib/Link/Needs.h"
 #include "lib/STC/Asking.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
@@ -34,19 +35,6 @@ using stc::ParamKind;
 
 namespace {
 
-const stc::OpInfo *opOf(const Instruction &instruction) {
-  auto *call = dyn_cast<CallInst>(&instruction);
-  const Function *callee = call ? call->getCalledFunction() : nullptr;
-  return callee ? stc::opOfSymbol(callee->getName()) : nullptr;
-}
-
-uint64_t idOf(const CallInst &call, const stc::OpInfo &op) {
-  for (auto [param, operand] : zip_equal(op.params, call.args()))
-    if (param.kind == ParamKind::Id)
-      return cast<ConstantInt>(operand)->getZExtValue();
-  return ~uint64_t(0);
-}
-
 std::string join(const std::set<std::string> &texts) { return llvm::join(texts, ", "); }
 
 class Pruner {
@@ -59,9 +47,8 @@ public:
   void run() {
     foldBranches();
     dropOutputs();
-    do
-      dropUnused();
-    while (joinBranches());
+    dropUnused();
+    shader.keepsOpacity = keepsOpacity(body);
     noteGlobals();
   }
 
@@ -162,159 +149,90 @@ private:
     return op && sceneOracle(session)(call, *op);
   }
 
-  /// Output parameters that nobody looks at and no shader asks for are not stored.
+  /// Outputs that nobody looks at are not stored: output parameters that no shader asks for either,
+  /// and a surface's Ci or Oi.
   void dropOutputs() {
-    const auto &outputs = session.options.scene->outputs;
-    if (!outputs || !asked)
-      return;
-    for (unsigned i = 0; i < shader.info.params.size(); ++i) {
-      const stc::ParamInfo &param = shader.info.params[i];
-      if (!param.output || is_contained(*outputs, param.name) || asked->contains(param.name))
-        continue;
-      for (Instruction &instruction : make_early_inc_range(instructions(body))) {
-        const stc::OpInfo *op = opOf(instruction);
-        if (!op || op->purity != stc::Purity::Writes || idKind(*op) != stc::IdKind::Param)
-          continue;
-        auto &call = cast<CallInst>(instruction);
-        if (idOf(call, *op) != i)
-          continue;
-        note(call, false, "nobody looks at '" + param.name + "'");
-        call.eraseFromParent();
-        shader.report.droppedOutputs.push_back(param.name);
+    const demand::Demand &scene = *session.options.scene;
+    if (scene.outputs && asked)
+      for (unsigned i = 0; i < shader.info.params.size(); ++i) {
+        const stc::ParamInfo &param = shader.info.params[i];
+        if (param.output && !is_contained(*scene.outputs, param.name) &&
+            !asked->contains(param.name))
+          dropStores(stc::IdKind::Param, i, param.name);
       }
-    }
+    if (shader.info.kind == stc::ShaderKind::Surface)
+      for (unsigned global : {ANYSL_Ci, ANYSL_Oi})
+        if (StringRef name = stc::globalNumbered(global)->name; !scene.looksAt(name))
+          dropStores(stc::IdKind::Global, global, name);
     auto &dropped = shader.report.droppedOutputs;
     llvm::sort(dropped);
     dropped.erase(unique(dropped), dropped.end());
   }
 
-  /// What a pointer is an element of.
-  static const Value *slotOf(const Value *value) {
-    while (auto *call = dyn_cast<CallInst>(value)) {
-      const stc::OpInfo *op = opOf(*call);
-      if (!op || op->op != Op::element)
-        break;
-      value = call->getArgOperand(0);
+  void dropStores(stc::IdKind kind, uint64_t id, StringRef name) {
+    for (Instruction &instruction : make_early_inc_range(instructions(body))) {
+      const stc::OpInfo *op = opOf(instruction);
+      if (!op || op->purity != stc::Purity::Writes || idKind(*op) != kind)
+        continue;
+      auto &call = cast<CallInst>(instruction);
+      if (idOf(call, *op) != id)
+        continue;
+      note(call, false, "nobody looks at '" + name + "'");
+      call.eraseFromParent();
+      shader.report.droppedOutputs.push_back(name.str());
     }
-    return value;
-  }
-
-  /// Where a point's random numbers and rays come one after the other, one that goes changes those
-  /// behind it: they go together or not at all. Lights that shine on a point number its rays on,
-  /// and so does the volume in front of it.
-  static bool isSequence(const stc::OpInfo &op) {
-    return op.purity == stc::Purity::Stateful || stc::tracesSurfaces(op.effect) ||
-           op.effect == stc::Effect::Indirect;
   }
 
   /// Whether something is done for others than this function.
   static bool isRoot(const Instruction &instruction) {
     const stc::OpInfo *op = opOf(instruction);
-    return instruction.isTerminator() || (isa<CallInst>(instruction) && !op) ||
+    return (isa<CallInst>(instruction) && !op) ||
            (op && (op->purity == stc::Purity::Writes || op->op == Op::call_method));
   }
 
-  using Instructions = SmallPtrSet<const Instruction *, 32>;
-  /// All that some instructions need. Numbered rays and random numbers need each other, or are
-  /// needed anyhow.
-  Instructions neededBy(function_ref<bool(const Instruction &)> isRoot, bool sequenceIsLive) const {
-    Instructions live;
-    SmallPtrSet<const Value *, 32> liveSlots;
-    SmallVector<const Instruction *> worklist;
-    auto enliven = [&](const Instruction *instruction) {
-      if (live.insert(instruction).second)
-        worklist.push_back(instruction);
-    };
-    auto writes = [](const CallInst &call, const stc::OpInfo *op, auto &&visit) {
-      for (unsigned i = 0; i < call.arg_size(); ++i) {
-        Value *operand = call.getArgOperand(i);
-        if (!op ? operand->getType()->isPointerTy()
-                : op->params[i].isValue() && op->params[i].kind != ParamKind::In)
-          visit(slotOf(operand));
-      }
-    };
-    SmallVector<const CallInst *> calls;
-    for (const Instruction &instruction : instructions(body)) {
-      const stc::OpInfo *op = opOf(instruction);
-      if (op && op->purity == stc::Purity::Structural)
-        continue;
-      if (auto *call = dyn_cast<CallInst>(&instruction))
-        calls.push_back(call);
-      if (isRoot(instruction))
-        enliven(&instruction);
-    }
-    for (bool changed = true; changed;) {
-      while (!worklist.empty()) {
-        const Instruction *instruction = worklist.pop_back_val();
-        const stc::OpInfo *op = opOf(*instruction);
-        sequenceIsLive |= op ? isSequence(*op) : isa<CallInst>(instruction);
-        for (auto [i, operand] : enumerate(instruction->operands())) {
-          auto *call = dyn_cast<CallInst>(instruction);
-          bool isSlot = call && i < call->arg_size() && operand->getType()->isPointerTy();
-          if (isSlot && (!op || (op->params[i].isValue() && op->params[i].kind != ParamKind::Out)))
-            liveSlots.insert(slotOf(operand));
-          if (auto *used = dyn_cast<Instruction>(operand))
-            enliven(used);
-        }
-      }
-      changed = false;
-      for (const CallInst *call : calls) {
-        if (live.contains(call))
-          continue;
-        const stc::OpInfo *op = opOf(*call);
-        bool isUsed = op && sequenceIsLive && isSequence(*op);
-        writes(*call, op, [&](const Value *slot) { isUsed |= liveSlots.contains(slot); });
-        if (!isUsed)
-          continue;
-        enliven(call);
-        changed = true;
-      }
-    }
-    return live;
-  }
-
-  /// Takes away what computes nothing that is used.
+  /// Takes away what computes nothing that is used, and branches that decide nothing.
   void dropUnused() {
-    const Instructions live = neededBy(isRoot, othersTrace);
+    const Needs needs(body);
+    // Lights that shine on a point number its rays on, and so does the volume in front of it.
+    const Needs::Instructions live = needs.of(isRoot, othersTrace);
+    SmallVector<std::pair<BranchInst *, BasicBlock *>> undecided;
     for (Instruction &instruction : make_early_inc_range(instructions(body))) {
       if (live.contains(&instruction))
         continue;
+      if (auto *branch = dyn_cast<BranchInst>(&instruction)) {
+        undecided.push_back({branch, needs.meeting(*branch)});
+        continue;
+      }
       if (auto *call = dyn_cast<CallInst>(&instruction))
         note(*call, false, "nothing uses its result");
       instruction.replaceAllUsesWith(PoisonValue::get(instruction.getType()));
       instruction.eraseFromParent();
     }
+    for (auto [branch, meeting] : undecided)
+      goTo(*branch, *meeting);
+    removeUnreachableBlocks(body);
   }
 
-  /// A branch whose two ways are empty and meet is none. Its condition may then be unused as well.
-  bool joinBranches() {
-    bool changed = false;
-    auto target = [](BasicBlock *block) {
-      auto *next = dyn_cast<BranchInst>(block->getTerminator());
-      bool isEmpty = &block->front() == next && next && next->isUnconditional() &&
-                     next->getSuccessor(0) != block && next->getSuccessor(0)->phis().empty();
-      return isEmpty ? next->getSuccessor(0) : block;
-    };
-    for (BasicBlock &block : body) {
-      auto *branch = dyn_cast<BranchInst>(block.getTerminator());
-      if (!branch || !branch->isConditional())
-        continue;
-      BasicBlock *one = target(branch->getSuccessor(0)), *other = target(branch->getSuccessor(1));
-      if (one != other || !one->phis().empty())
-        continue;
-      DebugLoc location = branch->getDebugLoc();
-      BranchInst::Create(one, branch->getIterator())->setDebugLoc(location);
-      branch->eraseFromParent();
-      changed = true;
+  /// Makes a branch lead to one place whatever its condition.
+  static void goTo(BranchInst &branch, BasicBlock &target) {
+    BasicBlock *block = branch.getParent();
+    bool isKnown = false;
+    for (BasicBlock *successor : branch.successors()) {
+      if (successor == &target && !isKnown)
+        isKnown = true;
+      else
+        successor->removePredecessor(block, /*KeepOneInputPHIs=*/true);
     }
-    if (changed)
-      removeUnreachableBlocks(body);
-    return changed;
+    assert((isKnown || target.phis().empty()) && "a value depends on the way here");
+    DebugLoc location = branch.getDebugLoc();
+    BranchInst::Create(&target, branch.getIterator())->setDebugLoc(location);
+    branch.eraseFromParent();
   }
 
   /// The outputs for which each instruction of the body is there.
   std::map<const Instruction *, std::set<std::string>> findOutputs() const {
-    std::map<std::string, Instructions> stores;
+    const Needs needs(body);
+    std::map<std::string, Needs::Instructions> stores;
     for (const Instruction &instruction : instructions(body)) {
       const stc::OpInfo *op = opOf(instruction);
       auto kind = op ? idKind(*op) : std::nullopt;
@@ -328,11 +246,9 @@ private:
     }
     std::map<const Instruction *, std::set<std::string>> result;
     for (const auto &[name, its] : stores)
-      for (const Instruction *needed : neededBy(
-               [&its](const Instruction &instruction) {
-                 return instruction.isTerminator() || its.contains(&instruction);
-               },
-               false))
+      for (const Instruction *needed :
+           needs.of([&its](const Instruction &instruction) { return its.contains(&instruction); },
+                    false))
         result[needed].insert(name);
     return result;
   }

@@ -34,6 +34,10 @@ std::optional<std::set<std::string>> askedNames(const Session &session);
 /// an error, if a layer is damaged.
 bool noteSource(Session &session, Shader &shader);
 
+/// Whether a surface gives the opacity that it has anyhow: whatever it stores as Oi is Os, or Oi as
+/// it was (Opacity.cpp).
+bool keepsOpacity(llvm::Function &body);
+
 /// The effects that an operator's definition leads to besides its own, as bits; `neededOnly`:
 /// without those of operators that the scene does without.
 uint32_t effectsThrough(Session &session, llvm::Function &op, bool neededOnly);

@@ -56,6 +56,8 @@ struct Shader {
   /// Of the source, before a scene left anything out; as in AnyslSourceInfo.
   uint64_t sourceWritten = 0;
   uint32_t sourceEffects = 0;
+  /// With a scene: whether it leaves Oi as it is, or makes it Os.
+  bool keepsOpacity = false;
   ShaderReport report;
 };
 

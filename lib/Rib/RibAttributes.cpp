@@ -120,8 +120,9 @@ void RibState::attribute(RibArguments &arguments) {
       visibility.transmission = Visibility::Transparent;
     else if (name == "visibility:transmission" && text == "opaque")
       visibility.transmission = Visibility::Opaque;
-    else if (name == "visibility:transmission" &&
-             (text == "Os" || text == "shader" || text.empty()))
+    else if (name == "visibility:transmission" && text == "shader")
+      visibility.transmission = Visibility::ByShader;
+    else if (name == "visibility:transmission" && (text == "Os" || text.empty()))
       visibility.transmission = Visibility::ByOpacity;
     else if (name == "light:shadows")
       state.lightShadows = on;

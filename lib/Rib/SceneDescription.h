@@ -75,7 +75,8 @@ struct ShaderUse {
 struct Visibility {
   bool camera = true;
   bool trace = true;
-  enum Transmission { Opaque, ByOpacity, Transparent } transmission = ByOpacity;
+  /// What stops light on its way through: all of it, a part as its opacity or its shader says, none.
+  enum Transmission { Opaque, ByOpacity, ByShader, Transparent } transmission = ByOpacity;
   friend bool operator==(const Visibility &, const Visibility &) = default;
 };
 

@@ -4,6 +4,8 @@
 // RUN: echo '{"complete": true, "shutter": [2, 2], "shaders": {"effects": {"parameters": {"Kd": 0.1}}}, "rayDepth": 4}' > scene.json
 // RUN: anysl-link effects.stc.bc -o small.so --scene scene.json --width 1
 // RUN: anysl-link effects.stc.bc -o general.so --width 1
+// RUN: echo '{"outputs": ["Oi", "dots"], "asked": []}' > shadow.json
+// RUN: anysl-link effects.stc.bc -o shadow.so --scene shadow.json --width 1
 // RUN: clang -std=c99 -Wall -Werror %anysl_include %s %lib_dir/libanysl.a -lstdc++ -lm -o demand
 // RUN: ./demand | FileCheck %s
 // UNSUPPORTED: sanitizer
@@ -55,6 +57,28 @@ int main(void) {
   show("open", anysl_library_open_for("small.so", "general.so", &facts, &either));
   printf("%s\n", anysl_library_demand(either) ? "special" : "general");
   anysl_library_close(either);
+  // What shows opacity alone is refused where light is wanted, which it is unless only the other is.
+  AnyslLibrary *shadow;
+  AnyslInstance *instance;
+  AnyslBatch *batch;
+  if (anysl_library_open("shadow.so", 0, &shadow) || anysl_instance_create(shadow, "effects", NULL, NULL, &instance) ||
+      anysl_batch_create(instance, 4, 0, &batch))
+    return 1;
+  // CHECK: dropped: Ci,mirrored
+  printf("dropped: %s\n", anysl_library_demand(shadow)->dropped_outputs);
+  // CHECK: light: shadow.so: the library was linked for a scene that does not show 'Ci', and this one does
+  show("light", anysl_library_allows(shadow, &facts));
+  const char *opacity[] = {"Oi", "dots", NULL};
+  facts.outputs = opacity;
+  // CHECK: opacity: yes
+  show("opacity", anysl_library_allows(shadow, &facts));
+  // CHECK: wanted: yes
+  show("wanted", anysl_batch_want_output(batch, "dots"));
+  // CHECK: wanted: shadow.so: the library was linked for a scene that does not show 'mirrored', and this one does
+  show("wanted", anysl_batch_want_output(batch, "mirrored"));
+  anysl_batch_free(batch);
+  anysl_instance_free(instance);
+  anysl_library_close(shadow);
   const char *outputs[] = {"Ci", "dots", NULL};
   facts.outputs = outputs;
   // CHECK: output: small.so: the library was linked for a scene that does not show 'dots', and this one does
@@ -64,7 +88,6 @@ int main(void) {
   // CHECK: time: small.so: the library was linked for a scene at time 2.000000, and this one is at time 3.000000
   show("time", anysl_library_allows(small, &facts));
 
-  AnyslInstance *instance;
   if (anysl_instance_create(small, "effects", NULL, NULL, &instance))
     return 1;
   double value = 0.1, other = 0.2;

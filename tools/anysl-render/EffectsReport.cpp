@@ -167,11 +167,12 @@ Measured measure(const Options &options, const SceneDescription &scene,
   Measured result;
   std::unique_ptr<Form> general = make(false, ""), special = make(true, "");
   std::vector<const WantedLibrary *> libraries = special->scene().opened();
-  // Who links a library elsewhere knows what is in it.
+  // Who links a library elsewhere knows what is in it. What other rays than the camera's want is
+  // less of the same.
   ShaderCache files(options.cache, options.target);
   files.searchPath = searchPath;
   std::erase_if(libraries, [&](const WantedLibrary *library) {
-    return files.find(library->name)->extension() == ".so";
+    return files.find(library->name)->extension() == ".so" || library->rays != RayKind::Camera;
   });
   for (const WantedLibrary *library : libraries) {
     demand::Json report = special->report(*library);

@@ -28,6 +28,8 @@ unsigned rayMask(const Appearance &appearance, bool opacityVaries) {
   const Vec3d &o = appearance.opacity;
   if (appearance.visibility.transmission == Visibility::Opaque)
     mask |= OpaqueShadowRays;
+  else if (appearance.visibility.transmission == Visibility::ByShader)
+    mask |= PartialShadowRays;
   else if (appearance.visibility.transmission == Visibility::ByOpacity) {
     if (opacityVaries || !(o.x >= 1 && o.y >= 1 && o.z >= 1))
       mask |= opacityVaries || !(o == Vec3d()) ? PartialShadowRays : 0;

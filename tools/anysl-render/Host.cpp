@@ -32,6 +32,7 @@ RenderCounts &RenderCounts::operator+=(const RenderCounts &other) {
   traceRays += other.traceRays;
   shadowRays += other.shadowRays;
   points += other.points;
+  shadowPoints += other.shadowPoints;
   batches += other.batches;
   shadingTicks += other.shadingTicks;
   return *this;

@@ -67,8 +67,9 @@ private:
 /// What one thread has done.
 struct RenderCounts {
   uint64_t cameraRays = 0, traceRays = 0, shadowRays = 0;
-  uint64_t points = 0;  ///< shaded
-  uint64_t batches = 0; ///< calls of a shader
+  uint64_t points = 0;       ///< shaded
+  uint64_t shadowPoints = 0; ///< of those, points that were shaded for the sake of shadow rays
+  uint64_t batches = 0;      ///< calls of a shader
   uint64_t shadingTicks = 0;
   RenderCounts &operator+=(const RenderCounts &other);
 };
@@ -148,6 +149,9 @@ constexpr unsigned maxLayers = 64;
 constexpr uint32_t behindSurface = 0x62656864;
 /// The number mixed into the seeds of points that a volume shader works on.
 constexpr uint32_t throughVolume = 0x766f6c75;
+/// The number mixed into the seeds of shadow rays: all of a point have one, so that it does not
+/// matter which of them are asked for.
+constexpr uint32_t towardsLight = 0x73686164;
 /// What every batch of points has, whether its shader names it or not.
 constexpr uint64_t colorOutputs = uint64_t(1) << ANYSL_Ci | uint64_t(1) << ANYSL_Oi;
 
@@ -206,6 +210,19 @@ void storeHit(const Geometry &geometry, const Hit &hit, const Ray &ray, const Ra
 
 /// Where a shadow ray goes on that has passed a surface at distance t.
 inline float afterHit(float t) { return std::nextafter(t * (1 + 0x1p-20f), 1e30f); }
+/// How much of a shadow ray's light a surface lets pass whose shader makes it so opaque. What is no
+/// number hides all.
+inline Vec3f passedBy(Vec3f opacity) {
+  auto passed = [](float o) { return o < 1 ? 1 - std::max(o, 0.0f) : 0; };
+  return {passed(opacity.x), passed(opacity.y), passed(opacity.z)};
+}
+/// The same where no shader is run for it.
+inline Vec3f passedAt(const Geometry &geometry, const ShadingGroup &group, const Hit &hit,
+                      Vec3f origin, Vec3f direction) {
+  Vec3d opacity = geometry.opacityAt(hit, origin, direction);
+  // As if the shader had stored it.
+  return group.shadowByShader ? passedBy(Vec3f(opacity)) : Vec3f(Vec3d(1) - opacity);
+}
 
 /// Hands every component of the globals in `wanted` to store(component, value); I comes from where
 /// the ray has travelled `travelled` before.

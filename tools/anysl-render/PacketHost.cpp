@@ -80,9 +80,14 @@ public:
   void nearest(RayList &rays, unsigned mask) const override {
     findNearest<W>(theScene.geometry(), rays, mask);
   }
-  void transmission(ThreadState &state, RayList &rays, Vec3f *passing) const override;
+  void transmission(const PacketBatch &from, RayList &rays, Vec3f *passing) const override;
 
 private:
+  /// Calls act(group, medium, members, count) for the hits of each group in each medium, in the
+  /// order of the rays. `group` has each ray's, `done` where there is none, and is used up.
+  static constexpr uint32_t done = ~uint32_t(0);
+  template <typename Act>
+  void sort(Arena &arena, const RayList &rays, uint32_t *group, const Act &act) const;
   void shade(ThreadState &state, const Members &members, const Outcome &outcome) const;
   /// Shades, and gives back what with; `values` may be null.
   AnyslShadeArgs run(const Shader &shader, PacketBatch &batch, uint32_t count,
@@ -118,8 +123,6 @@ void SizedPacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask
     // Sort the hits by group and medium, keeping the order of the rays within each.
     Outcome outcome{passing, covered, radiance, &behind, values};
     uint32_t *group = state.arena.allocate<uint32_t>(list.count);
-    uint32_t *members = state.arena.allocate<uint32_t>(list.count);
-    constexpr uint32_t done = ~uint32_t(0);
     for (uint32_t i = 0; i < list.count; ++i) {
       Hit hit = list.hitOf(i);
       group[i] = hit.isHit() ? geometry.groupOf(hit) : done;
@@ -128,22 +131,14 @@ void SizedPacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask
       uint32_t target = list.target[i];
       radiance[target].color += passing[target] * theScene.background.color(list.directionOf(i));
     }
-    for (uint32_t i = 0; i < list.count; ++i) {
-      if (group[i] == done)
-        continue;
-      uint32_t wanted = group[i], count = 0;
-      const Shader *medium = list.medium[i];
-      for (uint32_t j = i; j < list.count; ++j)
-        if (group[j] == wanted && list.medium[j] == medium) {
-          members[count++] = j;
-          group[j] = done;
-        }
-      const ShadingGroup &itsGroup = theScene.group(wanted);
-      shade(
-          state,
-          {list, members, count, itsGroup, medium ? medium : itsGroup.atmosphere, depth, channels},
-          outcome);
-    }
+    sort(state.arena, list, group,
+         [&](const ShadingGroup &its, const Shader *medium, const uint32_t *members,
+             uint32_t count) {
+           shade(state,
+                 {list, members, count, its, medium ? medium : its.atmosphere, depth,
+                  depth == 0 ? RayKind::Camera : RayKind::Traced, channels},
+                 outcome);
+         });
     current = &behind;
   }
   for (uint32_t i = 0; i < rays.count; ++i) {
@@ -153,12 +148,31 @@ void SizedPacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask
 }
 
 template <unsigned W>
+template <typename Act>
+void SizedPacketHost<W>::sort(Arena &arena, const RayList &rays, uint32_t *group,
+                              const Act &act) const {
+  uint32_t *members = arena.allocate<uint32_t>(rays.count);
+  for (uint32_t i = 0; i < rays.count; ++i) {
+    if (group[i] == done)
+      continue;
+    uint32_t wanted = group[i], count = 0;
+    const Shader *medium = rays.medium[i];
+    for (uint32_t j = i; j < rays.count; ++j)
+      if (group[j] == wanted && rays.medium[j] == medium) {
+        members[count++] = j;
+        group[j] = done;
+      }
+    act(theScene.group(wanted), medium, members, count);
+  }
+}
+
+template <unsigned W>
 void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
                                const Outcome &outcome) const {
   const Geometry &geometry = theScene.geometry();
   const Channels &channels = theScene.channels();
   const RayList &rays = members.rays;
-  const Shader *shader = members.group.shader, *volume = members.volume;
+  const Shader *shader = members.group.shaderFor(members.kind), *volume = members.volume;
   const uint32_t count = members.count;
   Arena::Scope scope(state.arena);
   size_t size = (size_t(count) + 15) / 16 * 16;
@@ -236,7 +250,10 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
     run(*volume, batch, count, volumeGlobals, nullptr);
   }
 
-  for (uint32_t i = 0; i < count; ++i) {
+  for (uint32_t i = 0; members.kind == RayKind::Shadow && i < count; ++i)
+    outcome.passing[rays.target[members.numbers[i]]] *=
+        passedBy(globals.triple(ANYSL_COMPONENT_Oi, i));
+  for (uint32_t i = 0; members.kind != RayKind::Shadow && i < count; ++i) {
     uint32_t ray = members.numbers[i], target = rays.target[ray];
     Vec3f &passing = outcome.passing[target], before = passing;
     Radiance &radiance = outcome.radiance[target];
@@ -265,6 +282,7 @@ AnyslShadeArgs SizedPacketHost<W>::run(const Shader &shader, PacketBatch &batch,
   if (values)
     values->fill(args);
   state.counts.points += count;
+  state.counts.shadowPoints += batch.members->kind == RayKind::Shadow ? count : 0;
   ++state.counts.batches;
   state.record(shader, *batch.group, args);
   LightScope lights(args, *batch.group->lights);
@@ -275,35 +293,51 @@ AnyslShadeArgs SizedPacketHost<W>::run(const Shader &shader, PacketBatch &batch,
 }
 
 template <unsigned W>
-void SizedPacketHost<W>::transmission(ThreadState &state, RayList &rays, Vec3f *passing) const {
+void SizedPacketHost<W>::transmission(const PacketBatch &from, RayList &rays,
+                                      Vec3f *passing) const {
+  ThreadState &state = *from.state;
   const Geometry &geometry = theScene.geometry();
   state.counts.shadowRays += rays.count;
   findBlocked<W>(geometry, rays);
-  RayList rest(state.arena, rays.count);
+  RayList lists[2] = {RayList(state.arena, rays.count), RayList(state.arena, rays.count)};
   for (uint32_t i = 0; i < rays.count; ++i) {
     bool blocked = rays.t[i] < 0;
     passing[rays.target[i]] = Vec3f(blocked ? 0 : 1);
-    if (blocked || !geometry.hasPartialShadows())
-      continue;
-    rest.add(rays.rayOf(i), rays.target[i]);
+    if (!blocked && geometry.hasPartialShadows())
+      lists[0].add(rays.rayOf(i), rays.target[i]);
   }
-  for (unsigned layer = 0; rest.count > 0 && layer < maxLayers; ++layer) {
-    nearest(rest, PartialShadowRays);
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < rest.count; ++i) {
-      Hit hit = rest.hitOf(i);
+  uint32_t *group = state.arena.allocate<uint32_t>(rays.count);
+  for (unsigned layer = 0; layer < maxLayers; ++layer) {
+    RayList &list = lists[layer % 2], &behind = lists[1 - layer % 2];
+    if (list.count == 0)
+      break;
+    nearest(list, PartialShadowRays);
+    behind.count = 0;
+    bool isShaded = false;
+    for (uint32_t i = 0; i < list.count; ++i) {
+      group[i] = done;
+      Hit hit = list.hitOf(i);
       if (!hit.isHit())
         continue;
-      uint32_t target = rest.target[i];
-      passing[target] *=
-          Vec3f(Vec3d(1) - geometry.opacityAt(hit, rest.originOf(i), rest.directionOf(i)));
-      Ray ray{rest.originOf(i), rest.directionOf(i), afterHit(hit.t), rest.far[i]};
-      // In place: no later ray has been overwritten, since as many have been read as are kept.
-      std::swap(rest.count, kept);
-      rest.add(ray, target);
-      std::swap(rest.count, kept);
+      uint32_t number = geometry.groupOf(hit), target = list.target[i];
+      const ShadingGroup &its = theScene.group(number);
+      if (its.shadow && from.members->kind != RayKind::Shadow) {
+        group[i] = number;
+        isShaded = true;
+      } else {
+        passing[target] *= passedAt(geometry, its, hit, list.originOf(i), list.directionOf(i));
+      }
+      behind.add({list.originOf(i), list.directionOf(i), afterHit(hit.t), list.far[i],
+                  hash(list.seed[i], behindSurface)},
+                 target);
     }
-    rest.count = kept;
+    if (isShaded)
+      sort(state.arena, list, group,
+           [&](const ShadingGroup &its, const Shader *, const uint32_t *members, uint32_t count) {
+             shade(state,
+                   {list, members, count, its, nullptr, from.depth + 1, RayKind::Shadow, nullptr},
+                   {passing, nullptr, nullptr, nullptr, nullptr});
+           });
   }
 }
 

@@ -21,6 +21,7 @@ struct Members {
   const ShadingGroup &group;
   const Shader *volume; ///< that they came through, or null
   unsigned depth;
+  RayKind kind;
   float *channels; ///< of all targets, or null
 };
 
@@ -39,7 +40,7 @@ struct PacketBatch {
 
   /// What is known of a point, which may lie beyond the last one.
   Asker asker(uint32_t point) const {
-    Asker result{group, volume, surface, depth, {}};
+    Asker result{group, volume, surface, depth, {}, members->kind};
     if (point < members->count)
       result.hit = members->rays.hitOf(members->numbers[point]);
     return result;
@@ -54,8 +55,9 @@ public:
                       unsigned layers, Radiance *radiance, float *channels,
                       AnyslMessage *values = nullptr) const = 0;
   virtual void nearest(RayList &rays, unsigned mask) const = 0;
-  /// How much light arrives along the rays.
-  virtual void transmission(ThreadState &state, RayList &rays, Vec3f *passing) const = 0;
+  /// How much light arrives along the rays, which a batch's points ask for. Where a shader is asked
+  /// how opaque a surface is, those behind that shader's own shadow rays are as they are anyhow.
+  virtual void transmission(const PacketBatch &from, RayList &rays, Vec3f *passing) const = 0;
 };
 
 extern const AnyslServices packetServices;

@@ -124,9 +124,10 @@ void serveTransmissionPacket(void *, const AnyslShadeArgs *args, uint32_t first,
   std::fill_n(color, 3 * width, 1.0f);
   AskedRays asked;
   makeShadowRays(*batch.starts, first, width, from, to, asked);
-  RayList rays = gather(batch, asked, first, width, mask, [](uint32_t) { return 0u; });
+  RayList rays = gather(batch, asked, first, width, mask,
+                        [&](uint32_t point) { return hash(batch.seeds[point], towardsLight); });
   Vec3f *passing = state.arena.allocate<Vec3f>(width);
-  batch.host->transmission(state, rays, passing);
+  batch.host->transmission(batch, rays, passing);
   for (uint32_t i = 0; i < rays.count; ++i)
     setLane(color, width, rays.target[i], passing[rays.target[i]]);
 }

@@ -171,12 +171,21 @@ int answerRenderer(const AnyslQuery &query, AnyslCell *value) {
 
 int answerRay(const Asker &asker, const AnyslQuery &query, AnyslCell *value) {
   std::string_view name = query.name;
-  if (name == "depth" || name == "speculardepth")
+  double inShadow = asker.rays == RayKind::Shadow ? 1 : 0;
+  if (name == "depth")
     return answerNumbers(query, {double(asker.depth)}, value);
-  if (name == "diffusedepth" || name == "shadowdepth")
+  if (name == "speculardepth")
+    return answerNumbers(query, {asker.depth - inShadow}, value);
+  if (name == "shadowdepth")
+    return answerNumbers(query, {inShadow}, value);
+  if (name == "diffusedepth")
     return answerNumbers(query, {0}, value);
   if (name == "type")
-    return answerText(query, asker.depth ? "specular" : "camera", value);
+    return answerText(query,
+                      inShadow      ? "transmission"
+                      : asker.depth ? "specular"
+                                    : "camera",
+                      value);
   return 0;
 }
 

@@ -32,8 +32,9 @@ struct PointBatch {
   const Shader *volume = nullptr; ///< that the ray came through, or null
   const Hit *hit = nullptr;
   const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
+  RayKind kind = RayKind::Camera;
 
-  Asker asker(uint32_t) const { return {group, volume, surface, depth, *hit}; }
+  Asker asker(uint32_t) const { return {group, volume, surface, depth, *hit, kind}; }
 };
 
 /// What shaders make of a point.
@@ -64,7 +65,13 @@ private:
   /// `values`: what else is asked of the first.
   Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth, unsigned layers,
                   float *channels, AnyslMessage *values = nullptr) const;
-  Vec3f transmission(ThreadState &state, const Ray &ray) const;
+  /// How much light arrives along a ray that a point asks for. Where a shader is asked how opaque a
+  /// surface is, those behind that shader's own shadow rays are as they are anyhow.
+  Vec3f transmission(const PointBatch &from, const Ray &ray) const;
+  /// Shades what a ray has met, and gives what rays start from there. The memory for that is of the
+  /// caller's scope.
+  RayStarts shade(ThreadState &state, const Hit &hit, const Ray &ray, unsigned depth, RayKind kind,
+                  PointColors &colors, float *channels, AnyslMessage *values) const;
   template <typename Real>
   void shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
              const Shader *volume, PointColors &colors, float *channels,
@@ -121,23 +128,9 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
       break;
     }
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
-    const Shader *volume = ray.medium ? ray.medium : group.atmosphere;
-    uint64_t needed = group.globalsOfOthers() | (group.shader ? group.shader->needed : 0) |
-                      (volume ? volume->needed : 0) |
-                      (channels ? theScene.channels().globals() : 0);
-    SurfacePoint point;
-    geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
-    if (needed & footprintBits)
-      findFootprint(theScene.camera, depth == 0, ray, point);
     Arena::Scope scope(state.arena);
-    PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
-    batch.starts.set(0, point);
-    batch.volume = volume;
-    batch.hit = &hit;
-    if (theScene.real() == ANYSL_REAL_DOUBLE)
-      shade<double>(batch, hit, point, ray, volume, colors, channels, values);
-    else
-      shade<float>(batch, hit, point, ray, volume, colors, channels, values);
+    RayStarts starts = shade(state, hit, ray, depth, depth == 0 ? RayKind::Camera : RayKind::Traced,
+                             colors, channels, values);
     bool seen = !group.matte || depth > 0;
     if (seen)
       radiance.color += colors.passing * colors.Ci;
@@ -150,17 +143,43 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
       radiance.opacity += before - colors.passing;
     if (colors.passing == Vec3f())
       break;
-    ray = batch.starts.behind(0, ray, hit.t, group);
+    ray = starts.behind(0, ray, hit.t, group);
   }
   radiance.alpha = (radiance.opacity.x + radiance.opacity.y + radiance.opacity.z) / 3;
   return radiance;
+}
+
+RayStarts ScalarHost::shade(ThreadState &state, const Hit &hit, const Ray &ray, unsigned depth,
+                            RayKind kind, PointColors &colors, float *channels,
+                            AnyslMessage *values) const {
+  const Geometry &geometry = theScene.geometry();
+  const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
+  const Shader *shader = group.shaderFor(kind), *volume = nullptr;
+  if (kind != RayKind::Shadow)
+    volume = ray.medium ? ray.medium : group.atmosphere;
+  uint64_t needed = group.globalsOfOthers() | (shader ? shader->needed : 0) |
+                    (volume ? volume->needed : 0) | (channels ? theScene.channels().globals() : 0);
+  SurfacePoint point;
+  geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
+  if (needed & footprintBits)
+    findFootprint(theScene.camera, depth == 0, ray, point);
+  PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
+  batch.starts.set(0, point);
+  batch.volume = volume;
+  batch.hit = &hit;
+  batch.kind = kind;
+  if (theScene.real() == ANYSL_REAL_DOUBLE)
+    shade<double>(batch, hit, point, ray, volume, colors, channels, values);
+  else
+    shade<float>(batch, hit, point, ray, volume, colors, channels, values);
+  return batch.starts;
 }
 
 template <typename Real>
 void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
                        const Shader *volume, PointColors &colors, float *channels,
                        AnyslMessage *asked) const {
-  const Shader *shader = batch.group->shader;
+  const Shader *shader = batch.group->shaderFor(batch.kind);
   Arena &arena = batch.state->arena;
   Arena::Scope scope(arena);
   // The interface promises room for 16 points; only the first is ever written.
@@ -225,6 +244,7 @@ AnyslShadeArgs ScalarHost::run(const Shader &shader, const ShadingGroup &group, 
   if (values)
     values->fill(args);
   ++batch.state->counts.points;
+  batch.state->counts.shadowPoints += batch.kind == RayKind::Shadow;
   ++batch.state->counts.batches;
   batch.state->record(shader, group, args);
   LightScope lights(args, *group.lights);
@@ -235,7 +255,8 @@ AnyslShadeArgs ScalarHost::run(const Shader &shader, const ShadingGroup &group, 
   return args;
 }
 
-Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {
+Vec3f ScalarHost::transmission(const PointBatch &from, const Ray &ray) const {
+  ThreadState &state = *from.state;
   const Geometry &geometry = theScene.geometry();
   RTCRay query = {ray.origin.x,
                   ray.origin.y,
@@ -259,8 +280,17 @@ Vec3f ScalarHost::transmission(ThreadState &state, const Ray &ray) const {
     Hit hit = geometry.intersect(rest, PartialShadowRays);
     if (!hit.isHit())
       break;
-    passing *= Vec3f(Vec3d(1) - geometry.opacityAt(hit, rest.origin, rest.direction));
+    const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
+    if (group.shadow && from.kind != RayKind::Shadow) {
+      Arena::Scope scope(state.arena);
+      PointColors colors{Vec3f(1), true, {}, {}};
+      shade(state, hit, rest, from.depth + 1, RayKind::Shadow, colors, nullptr, nullptr);
+      passing *= passedBy(colors.Oi);
+    } else {
+      passing *= passedAt(geometry, group, hit, rest.origin, rest.direction);
+    }
     rest.near = afterHit(hit.t);
+    rest.seed = hash(rest.seed, behindSurface);
   }
   return passing;
 }
@@ -354,7 +384,7 @@ void ScalarHost::serveTransmission(void *, const AnyslShadeArgs *args, uint32_t,
   AskedRays asked;
   makeShadowRays(batch.starts, 0, 1, Triple(from).value, Triple(to).value, asked);
   if (asked.valid[0])
-    result = batch.host->transmission(*batch.state, asked.ray(0, 0));
+    result = batch.host->transmission(batch, asked.ray(0, hash(batch.seed, towardsLight)));
   for (int k = 0; k < 3; ++k)
     color[k] = result[k];
 }

@@ -64,6 +64,7 @@ void Scene::loadShaders(const ShaderCache &cache, const AnyslServices &services,
     uses.push_back(&description.shaders[size_t(index)]);
   uses.insert(uses.end(), lights.shaders().begin(), lights.shaders().end());
   loader.open(uses);
+  loader.openForRays();
   imagerServices.struct_size = sizeof imagerServices;
   imagerServices.space_matrix = services.space_matrix;
   imagerServices.query = services.query;
@@ -138,8 +139,8 @@ const Shader *Scene::specialise(int index, const std::vector<Parameter> &constan
 }
 
 void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
-  using Key = std::tuple<const Shader *, std::array<int, 5>, const LightSet *, uint32_t, uint32_t,
-                         std::vector<uint32_t>>;
+  using Key = std::tuple<const Shader *, std::array<int, 5>, bool, const LightSet *, uint32_t,
+                         uint32_t, std::vector<uint32_t>>;
   std::map<Key, uint32_t> known;
   constexpr uint32_t anyObject = ~uint32_t(0);
   auto shaderOf = [&](int index) { return index < 0 ? nullptr : shaders[size_t(index)].get(); };
@@ -166,8 +167,10 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
     std::vector<uint32_t> bound;
     for (const Binding &binding : found.varying)
       bound.push_back(binding.parameter);
+    bool shadowByShader = surface && appearance.visibility.transmission == Visibility::ByShader;
     Key key{surface,
             indices,
+            shadowByShader,
             &set->second,
             bySpace ? i : anyObject,
             byAppearance ? shape.appearance : anyObject,
@@ -176,6 +179,9 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
     if (isNewGroup) {
       ShadingGroup &group = groups.emplace_back();
       group.shader = surface;
+      group.shadowByShader = shadowByShader;
+      if (shadowByShader && !surface->of(RayKind::Shadow).source.keeps_opacity)
+        group.shadow = &surface->of(RayKind::Shadow);
       group.atmosphere = shaderOf(indices[1]);
       group.interior = shaderOf(indices[2]);
       group.exterior = shaderOf(indices[3]);
@@ -191,4 +197,10 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
     bindings.push_back(std::move(found.varying));
     groupOfShape.push_back(entry->second);
   }
+  // Where no shader need run, geometry tells all.
+  for (uint32_t i = 0; i < description.shapes.size(); ++i)
+    if (auto &transmission =
+            description.appearances[description.shapes[i].appearance].visibility.transmission;
+        transmission == Visibility::ByShader && !groups[groupOfShape[i]].shadow)
+      transmission = Visibility::ByOpacity;
 }

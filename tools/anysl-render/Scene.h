@@ -21,6 +21,9 @@ namespace anysl::render {
 /// shader may ask for "object" space.
 struct ShadingGroup {
   const Shader *shader = nullptr; ///< null: the built-in default surface
+  /// What says how much light passes, where the shader does; null: it is as opaque as it is anyhow.
+  const Shader *shadow = nullptr;
+  bool shadowByShader = false; ///< whether its shader is asked, or would be if it changed anything
   /// Volumes: between the eye and the surface, and where rays go that start on its two sides.
   const Shader *atmosphere = nullptr, *interior = nullptr, *exterior = nullptr;
   const LightSet *lights = nullptr;
@@ -28,6 +31,10 @@ struct ShadingGroup {
   /// Those that others than the surface's own shaders want to find.
   uint64_t globalsOfOthers() const { return neededFor(lights->globals | called); }
   Space object;
+  /// The shader to run where such a ray meets it.
+  const Shader *shaderFor(RayKind rays) const {
+    return rays == RayKind::Shadow ? shadow : shader ? &shader->of(rays) : nullptr;
+  }
   bool matte = false; ///< hides what is behind it from the camera, and is transparent itself
   /// Parameters of the surface shader that take their values from the shapes' variables, which each
   /// shape has in its own places.
@@ -66,8 +73,8 @@ public:
   AnyslReal real() const { return loader.real(); }
   /// The libraries that are open, and for which of the scene's shaders.
   std::vector<const WantedLibrary *> opened() const { return loader.opened(); }
-  /// How many libraries each shader has been linked to for this scene, by its name.
-  std::map<std::string, unsigned> linkedForScene() const { return loader.linkedForScene(); }
+  /// How many libraries each shader has been linked to for this scene, by its name and the rays.
+  ShaderLoader::Linked linkedForScene() const { return loader.linkedForScene(); }
   /// What the shaders have noted so far, not while they run.
   void printNotes(std::FILE *file) const { loader.printNotes(file); }
 

@@ -9,12 +9,14 @@
 
 #include "tools/anysl-render/Footprint.h"
 #include "tools/anysl-render/Geometry.h"
+#include "tools/anysl-render/Scene.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <exception>
 
+namespace demand = anysl::demand;
 using namespace anysl::render;
 
 namespace {
@@ -23,9 +25,11 @@ static_assert(int(ShaderKind::Surface) == ANYSL_SURFACE && int(ShaderKind::Light
               int(ShaderKind::Displacement) == ANYSL_DISPLACEMENT &&
               int(ShaderKind::Volume) == ANYSL_VOLUME && int(ShaderKind::Imager) == ANYSL_IMAGER);
 
-/// The bit of AnyslShaderInfo::effects that says that a shader traces rays: effect number 11 of
-/// lib/STC/Effects.def.
+/// The bits of AnyslShaderInfo::effects that say that a shader traces rays, by the numbers of
+/// lib/STC/Effects.def: Trace; with Indirect and Glossy; Shadows.
 constexpr uint32_t traceEffect = 1u << 11;
+constexpr uint32_t tracingEffects = traceEffect | 1u << 14 | 1u << 23;
+constexpr uint32_t shadowEffect = 1u << 10;
 
 constexpr uint64_t bits(auto... globals) { return ((uint64_t(1) << globals) | ...); }
 
@@ -112,10 +116,27 @@ bool wantsFootprints(const AnyslLibraryInfo &library) {
       [](const AnyslShaderInfo &shader) { return (shader.globals_read & footprintBits) != 0; });
 }
 
-bool traces(const AnyslLibraryInfo &library) {
-  return std::any_of(
-      library.shaders, library.shaders + library.shader_count,
-      [](const AnyslShaderInfo &shader) { return (shader.effects & traceEffect) != 0; });
+/// All that a library's shaders do.
+uint32_t effectsOf(const AnyslLibraryInfo &library) {
+  uint32_t effects = 0;
+  for (uint32_t i = 0; i < library.shader_count; ++i)
+    effects |= library.shaders[i].effects;
+  return effects;
+}
+
+/// Whether pictures show outputs of a library's that no shader asks for: without them it has less.
+bool hasOutputsForPicturesOnly(const AnyslLibraryInfo &library, const demand::Demand &demand) {
+  auto lists = [](const auto &names, const char *name) {
+    return names && std::find(names->begin(), names->end(), name) != names->end();
+  };
+  for (uint32_t i = 0; i < library.shader_count; ++i)
+    for (uint32_t p = 0; p < library.shaders[i].param_count; ++p) {
+      const AnyslParamInfo &param = library.shaders[i].params[p];
+      if ((param.flags & ANYSL_PARAM_OUTPUT) && lists(demand.outputs, param.name) && demand.asked &&
+          !lists(demand.asked, param.name))
+        return true;
+    }
+  return false;
 }
 
 } // namespace
@@ -123,7 +144,7 @@ bool traces(const AnyslLibraryInfo &library) {
 void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
   std::vector<const ShaderUse *> added;
   std::copy_if(uses.begin(), uses.end(), std::back_inserter(added),
-               [&](const ShaderUse *use) { return !libraryOf.contains(use); });
+               [&](const ShaderUse *use) { return !libraryOf.contains({use, RayKind::Camera}); });
   const size_t before = libraries.size();
   openAll(variants.plan(added, warnings));
   // What is seen in mirrors is filtered as wide as the rays there say, which has its price.
@@ -134,9 +155,9 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
                               [&](const auto &opened) { return wantsFootprints(infoOf(opened)); });
   std::vector<WantedLibrary> again;
   for (size_t i = libraries.size(); filtered && i-- > before;)
-    if (traces(infoOf(libraries[i]))) {
+    if (effectsOf(infoOf(libraries[i])) & traceEffect) {
       for (const ShaderUse *use : libraries[i]->wanted.uses)
-        libraryOf.erase(use);
+        libraryOf.erase({use, RayKind::Camera});
       again.push_back(std::move(libraries[i]->wanted));
       again.back().variant.rayDerivatives = true;
       libraries.erase(libraries.begin() + ptrdiff_t(i));
@@ -145,6 +166,38 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
   for (; logged < libraries.size(); ++logged)
     if (AnyslNoteLog *log = anysl_note_log_create(libraries[logged]->library.get()))
       notes.emplace_back(log);
+}
+
+void ShaderLoader::openForRays() {
+  std::set<const ShaderUse *> inShadows;
+  const SceneDescription &description = scene.description;
+  for (const Shape &shape : description.shapes) {
+    const Appearance &appearance = description.appearances[shape.appearance];
+    if (appearance.surface >= 0 && appearance.visibility.transmission == Visibility::ByShader)
+      inShadows.insert(&description.shaders[size_t(appearance.surface)]);
+  }
+  uint32_t effects = 0;
+  for (const auto &opened : libraries)
+    effects |= effectsOf(*anysl_library_info(opened->library.get()));
+  std::vector<WantedLibrary> more;
+  for (const auto &opened : libraries) {
+    if (!anysl_library_demand(opened->library.get()) || opened->wanted.variant.manifest.empty())
+      continue;
+    std::vector<const ShaderUse *> traced, shadow;
+    for (const ShaderUse *use : opened->wanted.uses) {
+      if (use->kind == ShaderKind::Surface)
+        traced.push_back(use);
+      if (inShadows.contains(use))
+        shadow.push_back(use);
+    }
+    bool isSmaller = hasOutputsForPicturesOnly(*anysl_library_info(opened->library.get()),
+                                               opened->wanted.demand);
+    if (!traced.empty() && isSmaller && (effects & tracingEffects) && description.maxDepth > 0)
+      more.push_back(Variants::forRays(opened->wanted, RayKind::Traced, std::move(traced)));
+    if (!shadow.empty() && (effects & shadowEffect))
+      more.push_back(Variants::forRays(opened->wanted, RayKind::Shadow, std::move(shadow)));
+  }
+  openAll(std::move(more));
 }
 
 void ShaderLoader::openAll(std::vector<WantedLibrary> wanted) {
@@ -187,7 +240,7 @@ void ShaderLoader::openAll(std::vector<WantedLibrary> wanted) {
     format = AnyslReal(info.real);
     opened.wanted = std::move(job.wanted);
     for (const ShaderUse *use : opened.wanted.uses)
-      libraryOf[use] = &opened;
+      libraryOf[{use, opened.wanted.rays}] = &opened;
   }
 }
 
@@ -198,11 +251,11 @@ std::vector<const WantedLibrary *> ShaderLoader::opened() const {
   return result;
 }
 
-std::map<std::string, unsigned> ShaderLoader::linkedForScene() const {
-  std::map<std::string, unsigned> result;
+ShaderLoader::Linked ShaderLoader::linkedForScene() const {
+  Linked result;
   for (const auto &opened : libraries)
     if (anysl_library_demand(opened->library.get()))
-      ++result[opened->wanted.name];
+      ++result[opened->wanted.name][size_t(opened->wanted.rays)];
   return result;
 }
 
@@ -212,8 +265,10 @@ void ShaderLoader::printNotes(std::FILE *file) const {
 }
 
 std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServices &services,
-                                           const ShaderUse *opened) {
-  auto found = libraryOf.find(opened ? opened : &use);
+                                           const ShaderUse *opened, RayKind rays) {
+  if (!opened)
+    opened = &use;
+  auto found = libraryOf.find({opened, rays});
   if (found == libraryOf.end())
     return nullptr;
   AnyslLibrary *library = found->second->library.get();
@@ -254,6 +309,10 @@ std::unique_ptr<Shader> ShaderLoader::make(const ShaderUse &use, const AnyslServ
   shader->needed = neededFor(read);
   shader->globals = read | written;
   setParameters(*shader);
+  if (rays == RayKind::Camera) {
+    shader->forTraced = make(use, services, opened, RayKind::Traced);
+    shader->forShadow = make(use, services, opened, RayKind::Shadow);
+  }
   return shader;
 }
 

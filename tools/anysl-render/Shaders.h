@@ -48,6 +48,12 @@ struct Shader {
   };
   std::vector<Output> outputs;
 
+  /// The same linked for what these rays want of it; null: as it is.
+  std::unique_ptr<Shader> forTraced, forShadow;
+  const Shader &of(RayKind rays) const {
+    const auto &other = rays == RayKind::Traced ? forTraced : forShadow;
+    return rays == RayKind::Camera || !other ? *this : *other;
+  }
   /// Whether it asks questions by name: service number 7 of lib/STC/Services.def.
   bool asksByName() const { return (info->services >> 7 & 1) != 0; }
   /// Whether it asks lights for parameters or sends them values: effect number 18 of
@@ -75,17 +81,21 @@ public:
   /// Finds and compiles what the shaders need, in parallel, and opens it. Throws UserError where
   /// one is missing, does not compile or does not fit the host.
   void open(std::span<const ShaderUse *const> uses);
+  /// Does the same for rays that want less of surfaces than the camera, once all is open of which
+  /// it depends whether there are such rays.
+  void openForRays();
   /// A shader whose library is open, with the values that the request gives its parameters; null
   /// where the user wants to go on without it. Throws
   /// UserError where it is of another kind or a value does not fit. `use` and `services` must
   /// outlive it. `opened`: the use that it was opened for, if not this one.
   std::unique_ptr<Shader> make(const ShaderUse &use, const AnyslServices &services,
-                               const ShaderUse *opened = nullptr);
+                               const ShaderUse *opened = nullptr, RayKind rays = RayKind::Camera);
 
   /// The libraries that are open, and for which of the scene's shaders.
   std::vector<const WantedLibrary *> opened() const;
-  /// How many libraries each shader has been linked to for this scene, by its name.
-  std::map<std::string, unsigned> linkedForScene() const;
+  /// How many libraries each shader has been linked to for this scene, by its name and the rays.
+  using Linked = std::map<std::string, std::array<unsigned, Variants::kindsOfRays>>;
+  Linked linkedForScene() const;
 
   /// Prints what shaders that were linked for it have noted, each place once.
   void printNotes(std::FILE *file) const;
@@ -112,7 +122,7 @@ private:
   Warnings &warnings;
   AnyslReal format = ANYSL_REAL_FLOAT;
   std::vector<std::unique_ptr<Opened>> libraries;
-  std::map<const ShaderUse *, Opened *> libraryOf;
+  std::map<std::pair<const ShaderUse *, RayKind>, Opened *> libraryOf;
   std::vector<shade::NoteLogHandle> notes; ///< of libraries that note something
   size_t logged = 0;                       ///< how many have been asked for a log
 };

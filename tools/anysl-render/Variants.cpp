@@ -24,7 +24,23 @@ bool anyDisplaces(const std::vector<const ShaderUse *> &uses) {
                      [](const ShaderUse *use) { return use->kind == ShaderKind::Displacement; });
 }
 
+void setManifest(WantedLibrary &library) {
+  library.variant.manifest = demand::writeManifest(library.demand, /*places=*/false);
+  library.variant.withPlaces = demand::writeManifest(library.demand);
+}
+
 } // namespace
+
+WantedLibrary Variants::forRays(const WantedLibrary &camera, RayKind rays,
+                                std::vector<const ShaderUse *> uses) {
+  WantedLibrary result = camera;
+  result.uses = std::move(uses);
+  result.rays = rays;
+  result.demand.outputs = rays == RayKind::Shadow ? std::vector<std::string>{"Oi"}
+                                                  : std::vector<std::string>{"Ci", "Oi"};
+  setManifest(result);
+  return result;
+}
 
 demand::Demand Variants::common() const {
   demand::Demand result = demand::demandOf(scene);
@@ -56,7 +72,7 @@ std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses
     for (auto &[name, its] : byName) {
       ShaderVariant variant;
       variant.tangents = anyDisplaces(its);
-      result.push_back({name, variant, std::move(its)});
+      result.push_back({name, variant, std::move(its), {}});
     }
     return result;
   }
@@ -95,16 +111,13 @@ std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses
     for (const ShaderUse *use : its)
       (use->kind == ShaderKind::Any ? called : stated).push_back(use);
     auto add = [&](const demand::Demand &demand, const std::vector<const ShaderUse *> &group) {
-      std::string manifest = demand::writeManifest(demand, /*places=*/false);
+      WantedLibrary wanted{name, {}, {}, demand};
+      setManifest(wanted);
       auto same = std::find_if(result.begin(), result.end(), [&](const WantedLibrary &other) {
-        return other.name == name && other.variant.manifest == manifest;
+        return other.name == name && other.variant.manifest == wanted.variant.manifest;
       });
-      if (same == result.end()) {
-        ShaderVariant variant;
-        variant.manifest = manifest;
-        variant.withPlaces = demand::writeManifest(demand);
-        same = result.insert(result.end(), {name, variant, {}});
-      }
+      if (same == result.end())
+        same = result.insert(result.end(), std::move(wanted));
       same->variant.tangents |= anyDisplaces(group);
       same->uses.insert(same->uses.end(), group.begin(), group.end());
     };

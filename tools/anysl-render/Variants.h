@@ -13,24 +13,35 @@
 
 namespace anysl::render {
 
+/// What a ray wants of the surfaces that it meets: all that pictures show, light and opacity, or
+/// opacity alone.
+enum class RayKind { Camera, Traced, Shadow };
+
 /// A library that a scene wants: a shader, linked for some of its uses.
 struct WantedLibrary {
   std::string name;
   ShaderVariant variant;
   std::vector<const ShaderUse *> uses;
+  demand::Demand demand = {}; ///< what it is linked for, unless that is any scene
+  RayKind rays = RayKind::Camera;
 };
 
 /// Says for what a scene's shaders are linked: uses that switch the same effects off share a
-/// library, and a shader has four at most, the last of which then serves all other uses.
+/// library, and a shader has four at most, the last of which then serves all other uses. Of a
+/// surface each of these has one more at most for each other kind of ray.
 class Variants {
 public:
-  static constexpr size_t mostOfOne = 4;
+  static constexpr size_t mostOfOne = 4, kindsOfRays = 3;
 
   Variants(const SceneDescription &scene, const ShaderCache &cache) : scene(scene), cache(cache) {}
 
   /// The libraries of these uses. Shaders that are missing or do not compile have none, with a
   /// warning, or throw UserError. What earlier uses ask for counts as well.
   std::vector<WantedLibrary> plan(std::span<const ShaderUse *const> uses, Warnings &warnings);
+
+  /// The same library for rays that want less of it, and for some of its uses.
+  static WantedLibrary forRays(const WantedLibrary &camera, RayKind rays,
+                               std::vector<const ShaderUse *> uses);
 
   /// What the scene calls for, without its shaders' parameters.
   demand::Demand common() const;

@@ -66,24 +66,36 @@ void writeStats(const Options &options, const Scene &rendered, const RenderResul
                 double setupSeconds, unsigned threads) {
   const SceneDescription &scene = rendered.description;
   const RenderCounts &counts = result.counts;
-  std::string linked, linkedJson; // for this scene, with the number of variants
+  std::string linked, linkedJson, byRays; // for this scene, with the number of variants
   for (const auto &[name, variants] : rendered.linkedForScene()) {
+    static_assert(Variants::kindsOfRays == 3);
+    auto [camera, traced, shadow] = variants;
+    unsigned all = camera + traced + shadow;
+    std::string which;
+    if (traced)
+      which += ", " + std::to_string(traced) + " for traced rays";
+    if (shadow)
+      which += ", " + std::to_string(shadow) + " for shadow rays";
     linked += (linked.empty() ? "" : ", ") + name +
-              (variants > 1 ? " (" + std::to_string(variants) + " variants)" : "");
-    linkedJson +=
-        (linkedJson.empty() ? "" : ", ") + demand::quoted(name) + ": " + std::to_string(variants);
+              (all > 1 ? " (" + std::to_string(all) + " variants" + which + ")" : "");
+    const char *separator = linkedJson.empty() ? "" : ", ";
+    linkedJson += separator + demand::quoted(name) + ": " + std::to_string(all);
+    byRays += separator + demand::quoted(name) + ": {\"camera\": " + std::to_string(camera) +
+              ", \"traced\": " + std::to_string(traced) +
+              ", \"shadow\": " + std::to_string(shadow) + "}";
   }
   if (options.stats) {
     std::fprintf(stderr,
                  "  set-up    %8.3f s\n  rendering %8.3f s on %u threads\n"
                  "  shading   %8.3f s summed over threads, %.1f ns a point\n"
                  "  rays      %llu from the camera, %llu traced, %llu to lights\n"
-                 "  points    %llu shaded, %.1f at once\n",
+                 "  points    %llu shaded, %.1f at once; %llu of them for their opacity alone\n",
                  setupSeconds, result.seconds, threads, result.shadingSeconds,
                  counts.points ? 1e9 * result.shadingSeconds / double(counts.points) : 0.0,
                  (unsigned long long)counts.cameraRays, (unsigned long long)counts.traceRays,
                  (unsigned long long)counts.shadowRays, (unsigned long long)counts.points,
-                 counts.batches ? double(counts.points) / double(counts.batches) : 0.0);
+                 counts.batches ? double(counts.points) / double(counts.batches) : 0.0,
+                 (unsigned long long)counts.shadowPoints);
     std::fprintf(stderr, "  linked for this scene: %s\n", linked.empty() ? "none" : linked.c_str());
   }
   if (options.statsFile.empty())
@@ -91,19 +103,20 @@ void writeStats(const Options &options, const Scene &rendered, const RenderResul
   FILE *file = options.statsFile == "-" ? stdout : std::fopen(options.statsFile.c_str(), "w");
   if (!file)
     throw UserError("cannot write '" + options.statsFile + "'");
-  std::fprintf(file,
-               "{\"runtime\": \"%s\", \"real\": \"%s\", \"width\": %u, \"threads\": %u, "
-               "\"size\": [%d, %d], \"samples\": %d, \"setup_seconds\": %.6f, \"seconds\": %.6f, "
-               "\"shading_seconds\": %.6f, \"camera_rays\": %llu, \"trace_rays\": %llu, "
-               "\"shadow_rays\": %llu, \"points\": %llu, \"batches\": %llu, \"bad_pixels\": %llu, "
-               "\"linked_for_scene\": {%s}}\n",
-               options.target.runtime.c_str(), options.target.real.c_str(), options.target.width,
-               threads, scene.camera.width, scene.camera.height, scene.samplesX * scene.samplesY,
-               setupSeconds, result.seconds, result.shadingSeconds,
-               (unsigned long long)counts.cameraRays, (unsigned long long)counts.traceRays,
-               (unsigned long long)counts.shadowRays, (unsigned long long)counts.points,
-               (unsigned long long)counts.batches, (unsigned long long)result.film.badPixels,
-               linkedJson.c_str());
+  std::fprintf(
+      file,
+      "{\"runtime\": \"%s\", \"real\": \"%s\", \"width\": %u, \"threads\": %u, "
+      "\"size\": [%d, %d], \"samples\": %d, \"setup_seconds\": %.6f, \"seconds\": %.6f, "
+      "\"shading_seconds\": %.6f, \"camera_rays\": %llu, \"trace_rays\": %llu, "
+      "\"shadow_rays\": %llu, \"points\": %llu, \"shadow_points\": %llu, \"batches\": %llu, "
+      "\"bad_pixels\": %llu, \"linked_for_scene\": {%s}, \"linked_for_rays\": {%s}}\n",
+      options.target.runtime.c_str(), options.target.real.c_str(), options.target.width, threads,
+      scene.camera.width, scene.camera.height, scene.samplesX * scene.samplesY, setupSeconds,
+      result.seconds, result.shadingSeconds, (unsigned long long)counts.cameraRays,
+      (unsigned long long)counts.traceRays, (unsigned long long)counts.shadowRays,
+      (unsigned long long)counts.points, (unsigned long long)counts.shadowPoints,
+      (unsigned long long)counts.batches, (unsigned long long)result.film.badPixels,
+      linkedJson.c_str(), byRays.c_str());
   if (file != stdout && std::fclose(file) != 0)
     throw UserError("cannot write '" + options.statsFile + "'");
 }
