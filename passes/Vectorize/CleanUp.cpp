@@ -58,9 +58,14 @@ void cleanUp(Function &function, FunctionAnalysisManager &analyses,
   check("simplification");
 
   startAtZero(function);
-  bool changed = widenStridedAccess(function);
-  check("widening of strided access");
   const TargetTransformInfo &target = analyses.getResult<TargetIRAnalysis>(function);
+  bool changed = widenStridedAccess(function, target);
+  if (changed) {
+    // Loads and stores of records under one mask share what is made of it.
+    analyses.invalidate(function, PreservedAnalyses::none());
+    EarlyCSEPass().run(function, analyses);
+  }
+  check("widening of strided access");
   if (addAllActiveForms(function, target)) {
     check("adding forms for all lanes");
     analyses.invalidate(function, PreservedAnalyses::none());

@@ -5,7 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Every operation of logic on vectors of i1 (phi, and, or, xor, select, freeze, broadcast) gets a
+// Every operation of logic on vectors of i1 (phi, and, or, xor, select, freeze, shuffle) gets a
 // twin on integers. What feeds logic from outside, a comparison for instance, is extended where it
 // is made; what uses logic, a blend for instance, looks at the twin's sign bits. The originals are
 // left without users and removed.
@@ -45,6 +45,12 @@ Value *broadcastOf(const Value *value) {
   return nullptr;
 }
 
+/// Lanes of one or two masks of the same size in another order, none of them left open.
+bool isPermutation(const ShuffleVectorInst &shuffle) {
+  return shuffle.getType() == shuffle.getOperand(0)->getType() &&
+         !is_contained(shuffle.getShuffleMask(), PoisonMaskElem);
+}
+
 bool isLogic(const Instruction &instruction) {
   if (!isMask(&instruction))
     return false;
@@ -57,7 +63,7 @@ bool isLogic(const Instruction &instruction) {
   case Instruction::Freeze:
     return true;
   case Instruction::ShuffleVector:
-    return broadcastOf(&instruction);
+    return broadcastOf(&instruction) || isPermutation(cast<ShuffleVectorInst>(instruction));
   default:
     return false;
   }
@@ -122,6 +128,9 @@ Value *MaskRewriter::makeTwin(Instruction &mask) {
     return builder.CreateVectorSplat(vector->getNumElements(),
                                      builder.CreateSExt(scalar, vector->getElementType()));
   }
+  if (auto *shuffle = dyn_cast<ShuffleVectorInst>(&mask))
+    return builder.CreateShuffleVector(integer(shuffle->getOperand(0)),
+                                       integer(shuffle->getOperand(1)), shuffle->getShuffleMask());
   if (auto *select = dyn_cast<SelectInst>(&mask)) {
     Value *condition = select->getCondition(), *yes = select->getTrueValue(),
           *no = select->getFalseValue();

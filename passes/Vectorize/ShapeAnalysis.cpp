@@ -19,12 +19,13 @@
 #include "passes/Vectorize/PrivateArrays.h"
 
 #include "llvm/ADT/PostOrderIterator.h"
+#include "llvm/Analysis/ValueTracking.h"
 #include "llvm/IR/CFG.h"
 #include "llvm/IR/DataLayout.h"
 #include "llvm/IR/GetElementPtrTypeIterator.h"
 #include "llvm/IR/IntrinsicInst.h"
 #include "llvm/IR/Module.h"
-#include "llvm/IR/Operator.h"
+#include "llvm/Support/KnownBits.h"
 
 #include <queue>
 
@@ -33,8 +34,10 @@ using namespace llvm;
 namespace anysl {
 
 ShapeAnalysis::ShapeAnalysis(const Function &function, const LoopInfo &loops,
+                             const DominatorTree &dominators, AssumptionCache &assumptions,
                              ArrayRef<Shape> argumentShapes, unsigned width)
-    : function(function), loops(loops), width(width) {
+    : function(function), loops(loops), dominators(dominators), assumptions(assumptions),
+      width(width) {
   for (const BasicBlock *block : ReversePostOrderTraversal<const Function *>(&function)) {
     position[block] = order.size();
     order.push_back(block);
@@ -89,8 +92,21 @@ bool ShapeAnalysis::visit(const Instruction &instruction) {
 
 //===-- Values --------------------------------------------------------------===//
 
+/// How many low bits of lane 0's value are zero where the instruction runs for some lane.
+unsigned ShapeAnalysis::zerosOf(const Value *value, const Instruction &at) const {
+  Shape shape = shapeOf(value);
+  // What holds in each lane by itself holds in lane 0 as far as it has the same low bits.
+  KnownBits known = computeKnownBits(value, function.getParent()->getDataLayout(), 0, &assumptions,
+                                     &at, &dominators);
+  unsigned own = known.countMinTrailingZeros();
+  if (!shape.isUniform())
+    own = std::min<unsigned>(own, countr_zero(uint64_t(shape.stride())));
+  return std::max(own, shape.zeros());
+}
+
 /// What instructions on integers make of strides, where lane values stay exact.
-static Shape transferArithmetic(const BinaryOperator &op, Shape a, Shape b) {
+Shape ShapeAnalysis::transferArithmetic(const BinaryOperator &op) const {
+  Shape a = shapeOf(op.getOperand(0)), b = shapeOf(op.getOperand(1));
   if (!op.getType()->isIntegerTy())
     return Shape::varying();
   bool noSigned = false, noUnsigned = false;
@@ -100,6 +116,7 @@ static Shape transferArithmetic(const BinaryOperator &op, Shape a, Shape b) {
   }
   const auto *constant = dyn_cast<ConstantInt>(op.getOperand(1));
   bool smallConstant = constant && constant->getValue().isSignedIntN(32);
+  auto zeros = [&](unsigned i) { return zerosOf(op.getOperand(i), op); };
   int64_t stride;
   switch (op.getOpcode()) {
   case Instruction::Or:
@@ -111,27 +128,28 @@ static Shape transferArithmetic(const BinaryOperator &op, Shape a, Shape b) {
   case Instruction::Add:
     if (AddOverflow(a.stride(), b.stride(), stride))
       return Shape::varying();
-    return Shape::strided(stride, noSigned, noUnsigned);
+    return Shape::strided(stride, noSigned, noUnsigned).aligned(std::min(zeros(0), zeros(1)));
   case Instruction::Sub:
     if (SubOverflow(a.stride(), b.stride(), stride))
       return Shape::varying();
-    return Shape::strided(stride, noSigned, noUnsigned);
+    return Shape::strided(stride, noSigned, noUnsigned).aligned(std::min(zeros(0), zeros(1)));
   case Instruction::Mul:
     if (!smallConstant || MulOverflow(a.stride(), constant->getSExtValue(), stride))
       return Shape::varying();
-    return Shape::strided(stride, noSigned, noUnsigned);
+    return Shape::strided(stride, noSigned, noUnsigned).aligned(zeros(0) + zeros(1));
   case Instruction::Shl:
     if (!smallConstant || constant->getValue().uge(31) ||
         MulOverflow(a.stride(), int64_t(1) << constant->getZExtValue(), stride))
       return Shape::varying();
-    return Shape::strided(stride, noSigned, noUnsigned);
+    return Shape::strided(stride, noSigned, noUnsigned)
+        .aligned(zeros(0) + unsigned(constant->getZExtValue()));
   default:
     return Shape::varying();
   }
 }
 
-static Shape transferGep(const GEPOperator &gep, function_ref<Shape(const Value *)> shapeOf,
-                         const DataLayout &layout) {
+Shape ShapeAnalysis::transferGep(const GEPOperator &gep, const Instruction &at) const {
+  const DataLayout &layout = function.getParent()->getDataLayout();
   if (gep.getType()->isVectorTy())
     return Shape::varying();
   Shape base = shapeOf(gep.getPointerOperand());
@@ -140,23 +158,33 @@ static Shape transferGep(const GEPOperator &gep, function_ref<Shape(const Value 
   if (base.isVarying())
     return Shape::varying();
   int64_t stride = base.stride();
+  unsigned zeros = zerosOf(gep.getPointerOperand(), at);
   for (auto it = gep_type_begin(gep), end = gep_type_end(gep); it != end; ++it) {
+    if (StructType *record = it.getStructTypeOrNull()) {
+      unsigned field = cast<ConstantInt>(it.getOperand())->getZExtValue();
+      uint64_t offset = layout.getStructLayout(record)->getElementOffset(field);
+      zeros = std::min<unsigned>(zeros, countr_zero(offset));
+      continue;
+    }
     Shape index = shapeOf(it.getOperand());
     if (index.isUnknown())
       return Shape();
+    TypeSize size = it.getSequentialElementStride(layout);
+    if (index.isVarying() || size.isScalable())
+      return Shape::varying();
+    zeros = std::min<unsigned>(zeros, zerosOf(it.getOperand(), at) +
+                                          countr_zero(uint64_t(size.getFixedValue())));
     if (index.isUniform())
       continue;
     // Narrow indices are sign-extended, which keeps a stride only if lanes do not wrap.
     unsigned bits = it.getOperand()->getType()->getIntegerBitWidth();
     bool wraps = bits < layout.getIndexTypeSizeInBits(gep.getType()) && !index.noSignedWrap();
-    TypeSize size = it.getSequentialElementStride(layout);
     int64_t scaled;
-    if (index.isVarying() || wraps || size.isScalable() ||
-        MulOverflow(index.stride(), int64_t(size.getFixedValue()), scaled) ||
+    if (wraps || MulOverflow(index.stride(), int64_t(size.getFixedValue()), scaled) ||
         AddOverflow(stride, scaled, stride))
       return Shape::varying();
   }
-  return Shape::strided(stride, false, false);
+  return Shape::strided(stride, false, false).aligned(zeros);
 }
 
 bool isReplaceableByOne(const CallBase &call) {
@@ -225,12 +253,13 @@ Shape ShapeAnalysis::transfer(const Instruction &instruction) const {
     const auto *count = dyn_cast<ConstantInt>(alloca->getArraySize());
     if (!count || !count->getValue().isIntN(32))
       return Shape::varying();
+    unsigned zeros = Log2(alloca->getAlign());
     if (uint64_t element = interleavedElementSize(*alloca))
-      return Shape::strided(int64_t(element), false, false);
+      return Shape::strided(int64_t(element), false, false).aligned(zeros);
     // Each lane has a copy of its own, aligned like the original.
     uint64_t size = layout.getTypeAllocSize(alloca->getAllocatedType()) * count->getZExtValue();
-    return Shape::strided(int64_t(alignTo(std::max<uint64_t>(size, 1), alloca->getAlign())), false,
-                          false);
+    auto stride = int64_t(alignTo(std::max<uint64_t>(size, 1), alloca->getAlign()));
+    return Shape::strided(stride, false, false).aligned(zeros);
   }
 
   bool allUniform = true;
@@ -245,13 +274,11 @@ Shape ShapeAnalysis::transfer(const Instruction &instruction) const {
   if (isa<AtomicRMWInst>(instruction) || isa<AtomicCmpXchgInst>(instruction) ||
       isa<VAArgInst>(instruction))
     return Shape::varying();
+  if (const auto *gep = dyn_cast<GetElementPtrInst>(&instruction))
+    return transferGep(*cast<GEPOperator>(gep), instruction);
   if (allUniform)
     // A freeze of poison may choose a value for each lane, but one choice for all is a choice too.
     return Shape::uniform();
-
-  if (const auto *gep = dyn_cast<GetElementPtrInst>(&instruction))
-    return transferGep(
-        *cast<GEPOperator>(gep), [this](const Value *v) { return shapeOf(v); }, layout);
 
   // Everything below knows strides of integers and pointers only.
   auto operandShape = [&](unsigned i) { return shapeOf(instruction.getOperand(i)); };
@@ -264,7 +291,7 @@ Shape ShapeAnalysis::transfer(const Instruction &instruction) const {
     if (operandShape(i).isVarying())
       return Shape::varying();
   if (const auto *op = dyn_cast<BinaryOperator>(&instruction))
-    return transferArithmetic(*op, operandShape(0), operandShape(1));
+    return transferArithmetic(*op);
   Shape source = operandShape(0);
   switch (instruction.getOpcode()) {
   case Instruction::SExt:
@@ -272,13 +299,14 @@ Shape ShapeAnalysis::transfer(const Instruction &instruction) const {
   case Instruction::ZExt:
     return source.noUnsignedWrap() ? source : Shape::varying();
   case Instruction::Trunc:
-    return instruction.getType()->isIntegerTy(1) ? Shape::varying()
-                                                 : Shape::strided(source.stride(), false, false);
+    return instruction.getType()->isIntegerTy(1)
+               ? Shape::varying()
+               : Shape::strided(source.stride(), false, false).aligned(source.zeros());
   case Instruction::PtrToInt:
   case Instruction::IntToPtr:
     if (layout.getTypeSizeInBits(instruction.getType()) ==
         layout.getTypeSizeInBits(instruction.getOperand(0)->getType()))
-      return Shape::strided(source.stride(), false, false);
+      return Shape::strided(source.stride(), false, false).aligned(source.zeros());
     return Shape::varying();
   default:
     return Shape::varying();

@@ -12,8 +12,10 @@
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/DenseSet.h"
+#include "llvm/Analysis/AssumptionCache.h"
 #include "llvm/Analysis/LoopInfo.h"
 #include "llvm/IR/Dominators.h"
+#include "llvm/IR/Operator.h"
 
 namespace anysl {
 
@@ -26,6 +28,7 @@ namespace anysl {
 class ShapeAnalysis {
 public:
   ShapeAnalysis(const llvm::Function &function, const llvm::LoopInfo &loops,
+                const llvm::DominatorTree &dominators, llvm::AssumptionCache &assumptions,
                 llvm::ArrayRef<Shape> argumentShapes, unsigned width);
 
   unsigned lanes() const { return width; }
@@ -47,6 +50,9 @@ private:
   Shape transfer(const llvm::Instruction &instruction) const;
   Shape transferPhi(const llvm::PHINode &phi) const;
   Shape transferCall(const llvm::CallBase &call) const;
+  Shape transferArithmetic(const llvm::BinaryOperator &op) const;
+  Shape transferGep(const llvm::GEPOperator &gep, const llvm::Instruction &at) const;
+  unsigned zerosOf(const llvm::Value *value, const llvm::Instruction &at) const;
   void branchDiverges(const llvm::BasicBlock *block);
   void loopDiverges(const llvm::Loop *loop);
   void propagate(llvm::ArrayRef<const llvm::BasicBlock *> starts, const llvm::BasicBlock *root,
@@ -54,6 +60,8 @@ private:
 
   const llvm::Function &function;
   const llvm::LoopInfo &loops;
+  const llvm::DominatorTree &dominators;
+  llvm::AssumptionCache &assumptions;
   unsigned width;
   llvm::SmallVector<const llvm::BasicBlock *, 32> order; ///< reverse post-order
   llvm::DenseMap<const llvm::BasicBlock *, unsigned> position;

@@ -18,10 +18,10 @@ SmallVector<Shape, 8> argumentShapes(const VariantName &name) {
   for (const VariantParam &param : name.params)
     switch (param.kind) {
     case VariantParam::Kind::Uniform:
-      shapes.push_back(Shape::uniform());
+      shapes.push_back(Shape::uniform().aligned(Log2(param.align)));
       break;
     case VariantParam::Kind::Linear:
-      shapes.push_back(Shape::strided(param.step, true, true));
+      shapes.push_back(Shape::strided(param.step, true, true).aligned(Log2(param.align)));
       break;
     case VariantParam::Kind::Vector:
     case VariantParam::Kind::LinearByParam:
@@ -34,7 +34,8 @@ SmallVector<Shape, 8> argumentShapes(const VariantName &name) {
 Analyses::Analyses(Function &function, const VariantName &name, FunctionAnalysisManager &analyses)
     : loops(analyses.getResult<LoopAnalysis>(function)),
       dominators(analyses.getResult<DominatorTreeAnalysis>(function)),
-      shapes(function, loops, argumentShapes(name), name.width),
+      shapes(function, loops, dominators, analyses.getResult<AssumptionAnalysis>(function),
+             argumentShapes(name), name.width),
       schedule(function, loops, dominators, shapes, !name.masked) {}
 
 PreservedAnalyses PrintStagePass::run(Function &function, FunctionAnalysisManager &analyses) {

@@ -11,6 +11,9 @@
 // once, and a stored vector is a blend of the members permuted once each. For even K lanes are
 // picked in steps from two vectors at a time.
 //
+// Where lanes are idle or members are left out, the vectors are read and written under masks: an
+// element is accessed if its lane is active and it is a member of the group.
+//
 //===------------------------------------------------------------------------------------------===//
 
 #include "passes/Vectorize/StridedAccess.h"
@@ -38,6 +41,7 @@ struct Access {
   Value *first; ///< the address of lane 0
   Value *root;  ///< with `index` and `bytes`, that address as root + 1·index + bytes
   Value *index; ///< what is added to the root, sign-extended and times `scale`, or null
+  Value *mask;  ///< null if all lanes access
   uint64_t scale;
   int64_t bytes;
   int64_t stride;
@@ -103,9 +107,9 @@ std::optional<Access> accessOf(Instruction &instruction, const DataLayout &layou
   auto *pointers = dyn_cast<GetElementPtrInst>(call->getArgOperand(at));
   auto *type = cast<FixedVectorType>(isLoad ? call->getType() : call->getArgOperand(0)->getType());
   Type *element = type->getElementType();
-  if (!pointers || !match(call->getArgOperand(at + 2), m_AllOnes()) ||
-      !isPowerOf2_32(type->getNumElements()) || pointers->getPointerOperandType()->isVectorTy() ||
-      pointers->getNumIndices() != 1 || !layout.typeSizeEqualsStoreSize(element))
+  if (!pointers || !isPowerOf2_32(type->getNumElements()) ||
+      pointers->getPointerOperandType()->isVectorTy() || pointers->getNumIndices() != 1 ||
+      !layout.typeSizeEqualsStoreSize(element))
     return std::nullopt;
   auto stride = strideOf(pointers->getOperand(1));
   if (!stride)
@@ -114,6 +118,9 @@ std::optional<Access> accessOf(Instruction &instruction, const DataLayout &layou
   access.call = call;
   access.type = type;
   access.first = pointers->getPointerOperand();
+  access.mask = call->getArgOperand(at + 2);
+  if (match(access.mask, m_AllOnes()))
+    access.mask = nullptr;
   access.align = Align(cast<ConstantInt>(call->getArgOperand(at + 1))->getZExtValue());
   access.stride = *stride * int64_t(layout.getTypeAllocSize(pointers->getSourceElementType()));
   int64_t size = layout.getTypeStoreSize(element);
@@ -131,9 +138,10 @@ public:
   bool accepts(const Access &access, const DataLayout &layout) const;
   void add(const Access &access) { members.push_back(access); }
   bool isLoad() const { return members[0].isLoad(); }
-  bool rewrite(const DataLayout &layout);
+  bool rewrite(const DataLayout &layout, const TargetTransformInfo &target);
 
 private:
+  bool isWorthwhile(const TargetTransformInfo &target) const;
   void rewriteLoads(IRBuilder<> &builder);
   void rewriteStores(IRBuilder<> &builder);
   unsigned memberOf(const Access &access) const { return (access.bytes - lowest) / size; }
@@ -144,6 +152,7 @@ private:
   Align alignment(int64_t elements) const {
     return commonAlignment(base->align, std::abs(lowest - base->bytes + elements * size));
   }
+  Value *maskOf(IRBuilder<> &builder, unsigned vector) const;
   template <class Lane>
   Value *shuffle(IRBuilder<> &builder, Value *a, Value *b, Lane lane) const {
     SmallVector<int, 32> mask;
@@ -154,6 +163,7 @@ private:
   void keepWhatIsKnown(Instruction *to) const;
 
   SmallVector<Access, 4> members;
+  SmallVector<bool, 4> present; ///< which elements of a record are accessed
   const Access *base = nullptr;
   int64_t lowest = 0, highest = 0; ///< offsets of the first and the last member
   int64_t size = 0;                ///< of an element
@@ -165,7 +175,8 @@ private:
 bool Group::accepts(const Access &access, const DataLayout &layout) const {
   const Access &one = members[0];
   if (one.isLoad() != access.isLoad() || one.type != access.type || one.stride != access.stride ||
-      one.root != access.root || one.index != access.index || one.scale != access.scale)
+      one.mask != access.mask || one.root != access.root || one.index != access.index ||
+      one.scale != access.scale)
     return false;
   int64_t low = access.bytes, high = access.bytes;
   for (const Access &member : members) {
@@ -188,17 +199,33 @@ void Group::keepWhatIsKnown(Instruction *to) const {
   }
 }
 
+/// Which elements of a vector are accessed: those of active lanes, and only members of the group.
+Value *Group::maskOf(IRBuilder<> &builder, unsigned vector) const {
+  Value *mask = members[0].mask;
+  if (!mask)
+    mask = Constant::getAllOnesValue(FixedVectorType::get(builder.getInt1Ty(), width));
+  return shuffle(builder, mask, Constant::getNullValue(mask->getType()), [&](unsigned place) {
+    unsigned element = vector * width + place;
+    return present[element % count] ? element / count : width;
+  });
+}
+
 void Group::rewriteLoads(IRBuilder<> &builder) {
   // The last vector ends with the last member, not with the record: what follows may be out of
-  // bounds.
+  // bounds. Under a mask it is not read.
   FixedVectorType *type = members[0].type;
+  Value *mask = members[0].mask;
   int64_t end = int64_t(count) * (width - 1) + (highest - lowest) / size + 1;
   SmallVector<Value *, 4> vectors;
   SmallVector<int64_t, 4> starts;
   for (unsigned i = 0; i < count; ++i) {
-    starts.push_back(std::min<int64_t>(i * width, end - width));
-    auto *loaded = builder.CreateAlignedLoad(type, address(builder, starts[i]), Align(1));
-    loaded->setAlignment(alignment(starts[i]));
+    starts.push_back(mask ? i * width : std::min<int64_t>(i * width, end - width));
+    Value *from = address(builder, starts[i]);
+    Align align = alignment(starts[i]);
+    Instruction *loaded =
+        mask ? (Instruction *)builder.CreateMaskedLoad(type, from, align, maskOf(builder, i),
+                                                       Constant::getNullValue(type))
+             : builder.CreateAlignedLoad(type, from, align);
     keepWhatIsKnown(loaded);
     vectors.push_back(loaded);
   }
@@ -229,14 +256,19 @@ void Group::rewriteLoads(IRBuilder<> &builder) {
       });
     if (ownPlaces)
       result = shuffle(builder, result, result, [&](unsigned lane) { return source(lane).second; });
+    // Idle lanes have zeros by now.
+    Value *idle = access.call->getArgOperand(3);
+    if (mask && !isa<UndefValue>(idle) && !match(idle, m_Zero()))
+      result = builder.CreateSelect(mask, result, idle);
     access.call->replaceAllUsesWith(result);
   }
 }
 
 void Group::rewriteStores(IRBuilder<> &builder) {
-  SmallVector<Value *, 4> values(count);
+  SmallVector<Value *, 4> values(count, PoisonValue::get(members[0].type));
   for (const Access &access : members)
     values[memberOf(access)] = access.call->getArgOperand(0);
+  bool isMasked = members[0].mask || members.size() < count;
   // For odd counts: each member's lanes moved to the places that they have in memory.
   bool ownPlaces = count % 2;
   if (ownPlaces)
@@ -258,13 +290,27 @@ void Group::rewriteStores(IRBuilder<> &builder) {
         auto [from, at] = source(place);
         return from == member ? at + width : from > member ? -1 : member > 1 ? place : at;
       });
-    auto *stored = builder.CreateAlignedStore(result, address(builder, i * width), Align(1));
-    stored->setAlignment(alignment(i * width));
+    Value *to = address(builder, i * width);
+    Align align = alignment(i * width);
+    Instruction *stored =
+        isMasked ? (Instruction *)builder.CreateMaskedStore(result, to, align, maskOf(builder, i))
+                 : builder.CreateAlignedStore(result, to, align);
     keepWhatIsKnown(stored);
   }
 }
 
-bool Group::rewrite(const DataLayout &layout) {
+/// Whether whole vectors do what gathers and scatters do, and sooner.
+bool Group::isWorthwhile(const TargetTransformInfo &target) const {
+  const Access &one = members[0];
+  if (isLoad())
+    // A mask has to be spread over each vector, which a single gather is not worth.
+    return !one.mask || (members.size() > 1 && target.isLegalMaskedLoad(one.type, one.align));
+  if (size_t(count_if(present, [](bool is) { return is; })) < members.size())
+    return false; // one place is written twice
+  return (!one.mask && members.size() == count) || target.isLegalMaskedStore(one.type, one.align);
+}
+
+bool Group::rewrite(const DataLayout &layout, const TargetTransformInfo &target) {
   size = layout.getTypeStoreSize(members[0].type->getElementType());
   width = members[0].type->getNumElements();
   count = members[0].stride / size;
@@ -274,13 +320,11 @@ bool Group::rewrite(const DataLayout &layout) {
     highest = std::max(highest, member.bytes);
   }
   base = find_if(members, [&](const Access &member) { return member.bytes == lowest; });
-  if (!isLoad()) {
-    SmallVector<bool, 4> present(count);
-    for (const Access &member : members)
-      present[memberOf(member)] = true;
-    if (members.size() != count || !all_of(present, [](bool is) { return is; }))
-      return false;
-  }
+  present.assign(count, false);
+  for (const Access &member : members)
+    present[memberOf(member)] = true;
+  if (!isWorthwhile(target))
+    return false;
   // Loads happen where the first was, stores where the last was.
   IRBuilder<> builder(isLoad() ? members.front().call : members.back().call);
   if (isLoad()) {
@@ -300,7 +344,7 @@ bool Group::rewrite(const DataLayout &layout) {
   return true;
 }
 
-bool widenStridedAccess(Function &function) {
+bool widenStridedAccess(Function &function, const TargetTransformInfo &target) {
   const DataLayout &layout = function.getParent()->getDataLayout();
   SmallVector<Group, 4> groups;
   for (BasicBlock &block : function) {
@@ -341,7 +385,7 @@ bool widenStridedAccess(Function &function) {
   }
   bool changed = false;
   for (Group &group : groups)
-    changed |= group.rewrite(layout);
+    changed |= group.rewrite(layout, target);
   return changed;
 }
 

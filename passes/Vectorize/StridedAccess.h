@@ -8,17 +8,19 @@
 #ifndef ANYSL_PASSES_VECTORIZE_STRIDEDACCESS_H
 #define ANYSL_PASSES_VECTORIZE_STRIDEDACCESS_H
 
+#include "llvm/Analysis/TargetTransformInfo.h"
 #include "llvm/IR/Function.h"
 
 namespace anysl {
 
-/// Replaces gathers and scatters of all lanes whose addresses lie two, three or four elements
-/// apart, as the x of an array of points does, by loads and stores of whole vectors and shuffles.
-/// Returns whether anything changed.
+/// Replaces gathers and scatters whose lanes' addresses lie two, three or four elements apart, as
+/// the x of an array of points does, by loads and stores of whole vectors and shuffles. Returns
+/// whether anything changed.
 ///
-/// A gather may stand alone: what lies between two lanes is in the same object, and reading it does
-/// no harm. Scatters have to be all members of the record.
-bool widenStridedAccess(llvm::Function &function);
+/// A gather of all lanes may stand alone: what lies between two lanes is in the same object, and
+/// reading it does no harm. Where some lanes are idle, or scatters are not all members of the
+/// record, the vectors are masked, on processors that do so in one instruction.
+bool widenStridedAccess(llvm::Function &function, const llvm::TargetTransformInfo &target);
 
 } // namespace anysl
 

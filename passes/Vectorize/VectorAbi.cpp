@@ -49,9 +49,12 @@ static bool consumeParam(StringRef &text, VariantParam &param) {
   } else {
     return false;
   }
-  int64_t align;
-  if (text.consume_front("a") && text.consumeInteger(10, align))
-    return false;
+  if (text.consume_front("a")) {
+    uint64_t align;
+    if (text.consumeInteger(10, align) || !isPowerOf2_64(align))
+      return false;
+    param.align = Align(align);
+  }
   return true;
 }
 

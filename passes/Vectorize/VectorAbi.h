@@ -32,7 +32,8 @@ struct VariantParam {
     LinearByParam ///< ls, Rs: the same, with the step in parameter number `step`
   };
   Kind kind = Kind::Vector;
-  int64_t step = 0; ///< in bytes for pointers
+  int64_t step = 0;  ///< in bytes for pointers
+  llvm::Align align; ///< of what a pointer points to, in lane 0 of a linear one
 };
 
 /// What a name such as _ZGVdM8uul_f or _ZGV_LLVM_N8v_f(f_x8) says.

@@ -30,6 +30,8 @@ Widener::Address Widener::offset(const Address &address, uint64_t bytes) {
     return address;
   Address moved = address;
   Value *&pointer = address.base ? moved.base : moved.lanes;
+  moved.shape =
+      address.shape.aligned(std::min<unsigned>(address.shape.zeros(), countr_zero(bytes)));
   pointer = builder.CreateGEP(builder.getInt8Ty(), pointer, builder.getInt64(bytes));
   return moved;
 }
@@ -47,6 +49,18 @@ bool Widener::isLaneSized(Type *type) const {
     return false;
   uint64_t bits = layout.getTypeSizeInBits(type);
   return bits >= 8 && bits <= 64 && isPowerOf2_64(bits);
+}
+
+/// The alignment of consecutive lanes of \p size bytes, of which each has \p align.
+Align Widener::alignOfLanes(const Shape &shape, Align align, int64_t size) const {
+  align = std::min(align, Align(size));
+  // Where no lane may be active, what is known of lane 0 may not hold.
+  if (!isFull() && !isOccupied())
+    return align;
+  Align first(uint64_t(1) << shape.zeros());
+  if (shape.stride() < 0)
+    first = commonAlignment(first, size * (width - 1));
+  return std::max(align, first);
 }
 
 Value *Widener::load(Type *type, const Address &address, Align align, Instruction &origin) {
@@ -86,7 +100,7 @@ Value *Widener::load(Type *type, const Address &address, Align align, Instructio
   Value *mask = currentMask();
   if (address.shape.isStrided() && std::abs(address.shape.stride()) == size) {
     bool backwards = address.shape.stride() < 0;
-    align = std::min(align, Align(size));
+    align = alignOfLanes(address.shape, align, size);
     Value *first = address.base;
     SmallVector<int, 32> reversed;
     for (unsigned lane = 0; lane < width; ++lane)
@@ -137,7 +151,7 @@ void Widener::store(Value *value, Type *type, const Address &address, Align alig
   Value *mask = currentMask();
   if (address.shape.isStrided() && std::abs(address.shape.stride()) == size) {
     Value *first = address.base;
-    align = std::min(align, Align(size));
+    align = alignOfLanes(address.shape, align, size);
     if (address.shape.stride() < 0) {
       SmallVector<int, 32> reversed;
       for (unsigned lane = 0; lane < width; ++lane)

@@ -122,7 +122,25 @@ void Widener::widen(Instruction &instruction) {
 }
 
 /// A value that is the same for all lanes, or that the lanes' values follow from.
+/// Lane 0's value, extended. If lane 0 is idle it may wrap where no active lane does, and the
+/// others would follow from a wrong value; so it is computed in the wider type from what cannot
+/// wrap.
+Value *Widener::extendedBase(CastInst::CastOps extension, Value *value, Type *type) {
+  Shape shape = shapeOf(value);
+  bool isExact = extension == CastInst::SExt ? shape.noSignedWrap() : shape.noUnsignedWrap();
+  auto *op = dyn_cast<BinaryOperator>(value);
+  if (!op || !isExact || shape.isUniform())
+    return builder.CreateCast(extension, base(value), type);
+  Value *left = extendedBase(extension, op->getOperand(0), type);
+  bool isShift = op->getOpcode() == Instruction::Shl;
+  Value *right = extendedBase(isShift ? CastInst::ZExt : extension, op->getOperand(1), type);
+  return builder.CreateBinOp(op->getOpcode(), left, right);
+}
+
 void Widener::copyScalar(Instruction &instruction) {
+  if (isa<SExtInst, ZExtInst>(instruction) && !isFull() && !shapeOf(&instruction).isUniform())
+    return define(instruction, extendedBase(cast<CastInst>(instruction).getOpcode(),
+                                            instruction.getOperand(0), instruction.getType()));
   Instruction *copy = instruction.clone();
   for (Use &operand : copy->operands())
     operand.set(base(operand));

@@ -92,6 +92,7 @@ private:
   //===-- Instructions, WidenValues.cpp -------------------------------------===//
   void widen(Instruction &instruction);
   void copyScalar(Instruction &instruction);
+  Value *extendedBase(llvm::CastInst::CastOps extension, Value *value, llvm::Type *type);
   void widenBinary(llvm::BinaryOperator &op);
   Value *safeDivisor(llvm::BinaryOperator &op, Value *divisor);
   void widenCast(llvm::CastInst &cast);
@@ -125,6 +126,7 @@ private:
   void store(Value *value, llvm::Type *type, const Address &address, llvm::Align align,
              Instruction &origin);
   bool isLaneSized(llvm::Type *type) const;
+  llvm::Align alignOfLanes(const Shape &shape, llvm::Align align, int64_t size) const;
 
   //===-- Calls, WidenCalls.cpp ---------------------------------------------===//
   void widenCall(llvm::CallInst &call);

@@ -111,3 +111,37 @@ latch:
 out:
   ret void
 }
+
+; With a stride comes an alignment of lane 0: of pointers as declared or assumed, of indices by arithmetic.
+; VALUES-LABEL: shapes of alignments, 8 lanes
+; VALUES-NEXT: p: stride 4, aligned to 64
+; VALUES-NEXT: q: uniform
+; VALUES-NEXT: r: uniform, aligned to 32
+; VALUES-NEXT: i: stride 1
+; VALUES-NEXT: n: uniform
+; VALUES-NEXT: entry:
+; VALUES-NEXT: half: stride 4, aligned to 32
+; VALUES-NEXT: odd: stride 4, aligned to 4
+; VALUES-NEXT: row: uniform
+; VALUES-NEXT: line: stride 4, aligned to 32
+; VALUES-NEXT: assumed: uniform
+; VALUES-NEXT: bytes: uniform
+; VALUES-NEXT: known: stride 4, aligned to 16
+; VALUES-NEXT: unknown: stride 4{{$}}
+; VALUES-NEXT: scaled: stride 16, aligned to 16
+; VALUES-NEXT: own: stride 64, aligned to 64
+define void @alignments(ptr %p, ptr %q, ptr %r, i64 %i, i64 %n) "_ZGV_LLVM_N8l4a64uua32lu_alignments" {
+entry:
+  %half = getelementptr i8, ptr %p, i64 -32
+  %odd = getelementptr i8, ptr %half, i64 4
+  %row = mul i64 %n, 8
+  %line = getelementptr float, ptr %p, i64 %row
+  %assumed = getelementptr float, ptr %q, i64 %n
+  call void @llvm.assume(i1 true) [ "align"(ptr %assumed, i64 16) ]
+  %bytes = ptrtoint ptr %assumed to i64
+  %known = getelementptr i8, ptr %p, i64 %bytes
+  %unknown = getelementptr float, ptr %q, i64 %i
+  %scaled = mul i64 %i, 16
+  %own = alloca [3 x i8], align 64
+  ret void
+}
