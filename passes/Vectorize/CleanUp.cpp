@@ -8,6 +8,7 @@
 #include "passes/Vectorize/CleanUp.h"
 
 #include "passes/Vectorize/AllActive.h"
+#include "passes/Vectorize/Counters.h"
 #include "passes/Vectorize/IntegerMasks.h"
 #include "passes/Vectorize/StridedAccess.h"
 #include "passes/Vectorize/Unmask.h"
@@ -59,13 +60,15 @@ void cleanUp(Function &function, FunctionAnalysisManager &analyses,
 
   startAtZero(function);
   const TargetTransformInfo &target = analyses.getResult<TargetIRAnalysis>(function);
-  bool changed = widenStridedAccess(function, target);
+  bool changed = countInLanes(function, target);
+  check("counting in lanes");
+  changed |= widenStridedAccess(function, target);
+  check("widening of strided access");
   if (changed) {
-    // Loads and stores of records under one mask share what is made of it.
+    // Both share masks with each other and with what is there.
     analyses.invalidate(function, PreservedAnalyses::none());
     EarlyCSEPass().run(function, analyses);
   }
-  check("widening of strided access");
   if (addAllActiveForms(function, target)) {
     check("adding forms for all lanes");
     analyses.invalidate(function, PreservedAnalyses::none());

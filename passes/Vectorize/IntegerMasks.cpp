@@ -182,6 +182,11 @@ bool MaskRewriter::run() {
       auto *user = cast<Instruction>(use.getUser());
       if (replaced.contains(user))
         continue;
+      if (isa<SExtInst>(user) && user->getType() == integerType(mask)) {
+        user->replaceAllUsesWith(twins[mask]);
+        user->eraseFromParent();
+        continue;
+      }
       builder.SetInsertPoint(user);
       builder.SetCurrentDebugLocation(user->getDebugLoc());
       use.set(signBits(twins[mask]));
@@ -242,10 +247,9 @@ static bool flipSigns(Function &function) {
   return !blends.empty();
 }
 
-/// Whether the processor has AVX-512's mask registers. LLVM does not tell; it knows an instruction
-/// that came with them if it knows the processor. A plugin only sees what the function's attributes
-/// say.
-static bool hasMaskRegisters(const Function &function, const TargetTransformInfo &target) {
+// LLVM does not tell; it knows an instruction that came with mask registers if it knows the
+// processor. A plugin only sees what the function's attributes say.
+bool hasMaskRegisters(const Function &function, const TargetTransformInfo &target) {
   Type *lanes = FixedVectorType::get(Type::getFloatTy(function.getContext()), 16);
   StringRef features = function.getFnAttribute("target-features").getValueAsString();
   return features.contains("+avx512f") || target.isLegalMaskedExpandLoad(lanes, Align(4));

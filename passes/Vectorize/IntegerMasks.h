@@ -23,6 +23,9 @@ namespace anysl {
 /// become exclusive ors of the sign, as blends are the slower without mask registers.
 bool keepMasksAsIntegers(llvm::Function &function, const llvm::TargetTransformInfo &target);
 
+/// Whether a variant is made for a processor with AVX-512's mask registers.
+bool hasMaskRegisters(const llvm::Function &function, const llvm::TargetTransformInfo &target);
+
 } // namespace anysl
 
 #endif
