@@ -12,6 +12,7 @@
 
 #include "passes/Vectorize/AllActive.h"
 
+#include "passes/Vectorize/StridedAccess.h"
 #include "passes/Vectorize/Unmask.h"
 
 #include "llvm/ADT/MapVector.h"
@@ -88,6 +89,8 @@ bool addAllActiveForms(Function &function, const TargetTransformInfo &target) {
     unsigned length = 0, end = 0;
     for (Instruction &instruction : *block) {
       Value *own = maskDoneLaneByLane(instruction, target);
+      if (!own)
+        own = maskOfRecords(instruction, target);
       if (own && !mask) {
         mask = own;
         stretch.first = &instruction;

@@ -15,7 +15,8 @@ namespace anysl {
 
 /// Gives stretches of a widened function that load and store under a mask a second form without it,
 /// which runs when all lanes are active: where the processor has no masked loads and stores, as
-/// before AVX, one instruction takes the place of two dozen. Where it has them, nothing is gained.
+/// before AVX, one instruction takes the place of two dozen, and members of records become whole
+/// vectors. Where it has them, nothing is gained.
 /// Returns whether anything changed.
 bool addAllActiveForms(llvm::Function &function, const llvm::TargetTransformInfo &target);
 

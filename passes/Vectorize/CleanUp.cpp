@@ -75,6 +75,7 @@ void cleanUp(Function &function, FunctionAnalysisManager &analyses,
     FunctionPassManager fold;
     fold.addPass(InstCombinePass());
     fold.run(function, analyses);
+    widenStridedAccess(function, target);
     changed = true;
   }
   changed |= unmaskAccesses(function, target);

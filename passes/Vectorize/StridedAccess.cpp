@@ -344,6 +344,15 @@ bool Group::rewrite(const DataLayout &layout, const TargetTransformInfo &target)
   return true;
 }
 
+Value *maskOfRecords(Instruction &instruction, const TargetTransformInfo &target) {
+  auto access = accessOf(instruction, instruction.getModule()->getDataLayout());
+  if (!access || !access->mask)
+    return nullptr;
+  bool isWhole = access->isLoad() ? target.isLegalMaskedLoad(access->type, access->align)
+                                  : target.isLegalMaskedStore(access->type, access->align);
+  return isWhole ? nullptr : access->mask;
+}
+
 bool widenStridedAccess(Function &function, const TargetTransformInfo &target) {
   const DataLayout &layout = function.getParent()->getDataLayout();
   SmallVector<Group, 4> groups;

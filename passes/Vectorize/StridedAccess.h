@@ -22,6 +22,10 @@ namespace anysl {
 /// record, the vectors are masked, on processors that do so in one instruction.
 bool widenStridedAccess(llvm::Function &function, const llvm::TargetTransformInfo &target);
 
+/// The mask of a gather or scatter that could be part of whole vectors if all lanes were active, and
+/// otherwise not, for want of masked loads and stores; null for all other instructions.
+llvm::Value *maskOfRecords(llvm::Instruction &instruction, const llvm::TargetTransformInfo &target);
+
 } // namespace anysl
 
 #endif

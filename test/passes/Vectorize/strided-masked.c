@@ -21,6 +21,20 @@
 // CHECK-COUNT-3: call void @llvm.masked.store.v16f32
 // CHECK: ret void
 //
+// Without masked loads, whole vectors where all lanes are active.
+// RUN: clang -O1 -march=x86-64-v2 -fopenmp-simd -emit-llvm -c %s -o %t.bc
+// RUN: opt -load-pass-plugin=%plugin -passes='anysl-vectorize<width=4;verify>' %t.bc -o %t.wide.bc
+// RUN: llvm-dis %t.wide.bc -o - | FileCheck --check-prefix=SSE %s
+// RUN: opt -load-pass-plugin=%plugin -passes='anysl-vectorize<verify>' %t.bc -o %t.wide.bc
+// RUN: clang -O2 %t.wide.bc -o %t.run
+// RUN: %if avx512 %{ %t.run %}
+// SSE-LABEL: define {{.*}}@_ZGVbN4uuul_turn3(
+// SSE: all:
+// SSE-COUNT-3: load <4 x float>
+// SSE-COUNT-3: store <4 x float>
+// SSE: some:
+// SSE: ret void
+//
 // One member alone is gathered.
 // CHECK-LABEL: define {{.*}}@_ZGVeN16uuul_part(
 // CHECK: masked.gather
