@@ -50,6 +50,9 @@ struct LinkOptions {
   /// Bits 1 << effect of Effects.def: effects that are left out although shaders have them, so that
   /// their cost can be measured. Results are 0.
   uint32_t withoutEffects = 0;
+  /// Names of outputs that are left out for the same reason, with all that only they need: globals,
+  /// output parameters.
+  std::vector<std::string> withoutOutputs;
   /// Note where a number stops being finite (<anysl/notes.h>).
   bool checkNaN = false;
   /// Leave every loop after so many rounds, and note that; 0: loops run as long as they do.

@@ -35,6 +35,9 @@ using stc::ParamKind;
 
 namespace {
 
+/// Why something is not there whose cost is measured.
+constexpr StringLiteral leftOut = "it is left out, whatever the scene calls for";
+
 std::string join(const std::set<std::string> &texts) { return llvm::join(texts, ", "); }
 
 class Pruner {
@@ -45,8 +48,11 @@ public:
         body(*shader.info.body) {}
 
   void run() {
-    foldBranches();
-    dropOutputs();
+    if (session.options.scene) {
+      foldBranches();
+      dropOutputs();
+    }
+    leaveOutputsOut();
     dropUnused();
     shader.keepsOpacity = keepsOpacity(body);
     noteGlobals();
@@ -158,18 +164,32 @@ private:
         const stc::ParamInfo &param = shader.info.params[i];
         if (param.output && !is_contained(*scene.outputs, param.name) &&
             !asked->contains(param.name))
-          dropStores(stc::IdKind::Param, i, param.name);
+          dropStores(stc::IdKind::Param, i, param.name, unseen(param.name));
       }
     if (shader.info.kind == stc::ShaderKind::Surface)
       for (unsigned global : {ANYSL_Ci, ANYSL_Oi})
         if (StringRef name = stc::globalNumbered(global)->name; !scene.looksAt(name))
-          dropStores(stc::IdKind::Global, global, name);
+          dropStores(stc::IdKind::Global, global, name, unseen(name));
+  }
+
+  static std::string unseen(StringRef output) { return ("nobody looks at '" + output + "'").str(); }
+
+  /// Whatever the scene calls for.
+  void leaveOutputsOut() {
+    for (const std::string &name : session.options.withoutOutputs) {
+      for (unsigned i = 0; i < shader.info.params.size(); ++i)
+        if (shader.info.params[i].name == name)
+          dropStores(stc::IdKind::Param, i, name, leftOut);
+      for (const stc::GlobalVariableInfo &global : stc::allGlobals())
+        if (global.name == name)
+          dropStores(stc::IdKind::Global, global.id, name, leftOut);
+    }
     auto &dropped = shader.report.droppedOutputs;
     llvm::sort(dropped);
     dropped.erase(unique(dropped), dropped.end());
   }
 
-  void dropStores(stc::IdKind kind, uint64_t id, StringRef name) {
+  void dropStores(stc::IdKind kind, uint64_t id, StringRef name, StringRef why) {
     for (Instruction &instruction : make_early_inc_range(instructions(body))) {
       const stc::OpInfo *op = opOf(instruction);
       if (!op || op->purity != stc::Purity::Writes || idKind(*op) != kind)
@@ -177,7 +197,7 @@ private:
       auto &call = cast<CallInst>(instruction);
       if (idOf(call, *op) != id)
         continue;
-      note(call, false, "nobody looks at '" + name + "'");
+      note(call, false, why);
       call.eraseFromParent();
       shader.report.droppedOutputs.push_back(name.str());
     }
@@ -300,7 +320,7 @@ private:
 
 std::optional<std::string> unneededIn(const Session &session, Op op) {
   if (session.options.withoutEffects >> unsigned(stc::info(op).effect) & 1)
-    return "it is left out, whatever the scene calls for";
+    return leftOut.str();
   if (!session.options.scene)
     return std::nullopt;
   uint32_t assumes = session.options.scene->assumptions();
@@ -363,11 +383,16 @@ SlotConstants::Oracle sceneOracle(const Session &session) {
 }
 
 bool prune(Session &session) {
-  if (!session.options.scene)
+  const bool isMeasured = !session.options.withoutOutputs.empty();
+  if (!session.options.scene && !isMeasured)
     return true;
-  std::optional<std::set<std::string>> asked = askedNames(session);
-  bool othersTrace = !(session.options.scene->assumptions() >> ANYSL_ASSUMES_NO_OTHER_RAYS & 1) ||
-                     any_of(session.files, [](auto &file) { return stc::tracesForOthers(file); });
+  std::optional<std::set<std::string>> asked;
+  if (session.options.scene)
+    asked = askedNames(session);
+  // What is measured is another picture anyhow: nothing has to stay for the sake of numbers.
+  bool othersTrace =
+      !isMeasured && (!(session.options.scene->assumptions() >> ANYSL_ASSUMES_NO_OTHER_RAYS & 1) ||
+                      any_of(session.files, [](auto &file) { return stc::tracesForOthers(file); }));
   for (Shader &shader : session.shaders) {
     if (!noteSource(session, shader))
       return false;

@@ -9,6 +9,8 @@
 
 #include <OpenImageIO/strutil.h>
 
+#include <filesystem>
+
 namespace anysl::textures {
 namespace {
 
@@ -66,6 +68,7 @@ File Files::open(const std::string &name) {
     warnOnce("a texture has no name");
     return file;
   }
+  notePlaces(name);
   OIIO::ImageSpec spec;
   auto *handle = theSystem->get_texture_handle(OIIO::ustring(name));
   bool good = handle && theSystem->get_imagespec(handle, nullptr, 0, spec);
@@ -85,11 +88,36 @@ File Files::open(const std::string &name) {
 bool Files::exists(const std::string &name) {
   if (name.empty())
     return false;
+  notePlaces(name);
   OIIO::ImageSpec spec;
   auto *handle = theSystem->get_texture_handle(OIIO::ustring(name));
   bool good = handle && theSystem->get_imagespec(handle, nullptr, 0, spec);
   theSystem->geterror(); // which nobody asked for
   return good;
+}
+
+void Files::notePlaces(const std::string &name) {
+  std::lock_guard lock(placesMutex);
+  auto note = [&](const std::filesystem::path &path) {
+    if (places.insert(path.string()).second && tell)
+      tell(path.string());
+    std::error_code error;
+    return std::filesystem::exists(path, error);
+  };
+  if (std::filesystem::path(name).is_absolute()) {
+    note(name);
+    return;
+  }
+  for (const std::string &folder : settings.searchPath)
+    if (note(std::filesystem::path(folder) / name))
+      return;
+}
+
+void Files::tellPlaces(std::function<void(const std::string &)> newTell) {
+  std::lock_guard lock(placesMutex);
+  tell = std::move(newTell);
+  for (const std::string &path : places)
+    tell(path);
 }
 
 void Files::warnOnce(const std::string &message) {

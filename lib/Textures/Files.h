@@ -41,12 +41,15 @@ public:
   const File &find(const char *name);
   /// Whether a file can be read; says nothing if not.
   bool exists(const std::string &name);
+  /// As Textures has it.
+  void tellPlaces(std::function<void(const std::string &)> tell);
   /// Passes a message on that has not been given before.
   void warnOnce(const std::string &message);
   OIIO::TextureSystem &system() { return *theSystem; }
 
 private:
   File open(const std::string &name);
+  void notePlaces(const std::string &name);
 
   TextureSettings settings;
   OIIO::TextureSystem *theSystem;
@@ -54,6 +57,9 @@ private:
   std::map<std::string, std::unique_ptr<const File>, std::less<>> files;
   std::mutex warningMutex;
   std::set<std::string> warnings;
+  std::mutex placesMutex;
+  std::set<std::string> places; ///< of all that was asked for
+  std::function<void(const std::string &)> tell;
 };
 
 } // namespace anysl::textures

@@ -105,6 +105,10 @@ public:
       forPoints(width, mask, [&](uint32_t i) { result[i] = map->shadowAt(points, i); });
   }
 
+  void tellPlaces(std::function<void(const std::string &)> tell) override {
+    files.tellPlaces(std::move(tell));
+  }
+
   std::optional<TextureFact> fact(const std::string &name, const std::string &what) override;
 
 private:

@@ -61,6 +61,11 @@ public:
   /// "projectionmatrix" or the name of an entry of the file's metadata. Nothing where there is no
   /// such fact.
   virtual std::optional<TextureFact> fact(const std::string &file, const std::string &name) = 0;
+
+  /// Has `tell` called with the places where each file is looked for, up to the one where it is:
+  /// now for those that have been asked for, and for others before they are opened. Called by one
+  /// thread at a time.
+  virtual void tellPlaces(std::function<void(const std::string &path)> tell) = 0;
 };
 
 /// The function by which a module that is loaded at run time offers Textures::create().

@@ -75,7 +75,8 @@ cl::opt<bool> effects("effects", cl::desc("With --scene: print each effect, kept
 cl::list<std::string>
     withoutEffects("without-effect",
                    cl::desc("Leave an effect of lib/STC/Effects.def out, so that its "
-                            "results are 0, to see what it costs"),
+                            "results are 0, or Outputs.NAME, an output with all that only it "
+                            "needs, to see what it costs"),
                    cl::value_desc("NAME"), cl::cat(category));
 cl::opt<std::string> decline("decline",
                              cl::desc("What to do where a shader asks for what the runtime does "
@@ -154,13 +155,17 @@ std::string defaultOutput(StringRef input, OutputKind kind) {
 }
 
 /// Reads --without-effect. Gives false, with an error, where a name is none.
-bool parseEffects(DiagnosticEngine &diags, uint32_t &effects) {
-  // Values, inputs and outputs are what a shader is.
+bool parseEffects(DiagnosticEngine &diags, uint32_t &effects, std::vector<std::string> &outputs) {
+  // Values, inputs and outputs are what a shader is, but single outputs are not.
   const std::pair<StringRef, stc::Effect> known[] = {
 #define STC_EFFECT(id, name, doc) {#name, stc::Effect::name},
 #include "lib/STC/Effects.def"
   };
   for (const std::string &name : withoutEffects) {
+    if (StringRef output = name; output.consume_front("Outputs.") && !output.empty()) {
+      outputs.push_back(output.str());
+      continue;
+    }
     const auto *found = find_if(known, [&](auto &each) { return each.first == name; });
     if (found == std::end(known) || found->second <= stc::Effect::Outputs) {
       diags.error("--without-effect=" + name + ": there is no such effect to be left out");
@@ -218,7 +223,8 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   options.rayDerivatives = rayDerivatives;
   options.tangents = tangents;
   options.params.assign(params.begin(), params.end());
-  if (!parseWidths(diags, options.widths) || !parseEffects(diags, options.withoutEffects))
+  if (!parseWidths(diags, options.widths) ||
+      !parseEffects(diags, options.withoutEffects, options.withoutOutputs))
     return false;
   if (sceneFile.empty() && (effects || !beside.empty())) {
     diags.error("--effects and --beside go with --scene");

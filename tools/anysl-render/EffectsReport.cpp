@@ -51,9 +51,13 @@ struct Effect {
   std::set<std::string> requests; ///< "mirror (scene.rib:9)": shaders that have it kept
   Size before, after;
   double costBefore = 0, costAfter = 0; ///< seconds of processor time of the picture
-  bool isMeasured = false;
-  bool isOfScene = false; ///< one that is not in shaders: without instructions and calls
+  /// How its cost is found: an effect is left out of shaders or of the scene, an input is computed
+  /// once more.
+  enum { NotMeasured, InShaders, OfScene, Input } how = NotMeasured;
+  std::string whyNotMeasured;
   bool isKept() const { return !asking.empty(); }
+  bool hasSize() const { return how == InShaders; }
+  bool isMeasured() const { return how == OfScene ? isKept() : how != NotMeasured; }
 };
 using Effects = std::map<std::string, Effect>;
 
@@ -93,9 +97,39 @@ void addUses(const demand::Json &report, const std::string &request, Effects &ef
     }
 }
 
-/// Inputs and outputs, each "Inputs.NAME", cannot be left out to see what they cost.
-bool canBeLeftOut(const std::string &effect) {
-  return !effect.starts_with("Inputs") && !effect.starts_with("Outputs");
+/// The global variable of an effect "Inputs.NAME"; -1: it is none.
+int inputOf(const std::string &effect) {
+  constexpr std::string_view prefix = "Inputs.";
+  return effect.starts_with(prefix) ? anysl_global_find(effect.c_str() + prefix.size()) : -1;
+}
+
+/// The globals that are computed for points of surfaces, whoever asks for them.
+uint64_t globalsOf(const Scene &scene) {
+  uint64_t result = 0;
+  for (uint32_t i = 0; i < scene.groupCount(); ++i) {
+    const ShadingGroup &group = scene.group(i);
+    result |= group.globalsOfOthers();
+    for (const Shader *shader : {group.shader, group.atmosphere, group.interior, group.exterior})
+      result |= shader ? shader->needed : 0;
+  }
+  return result;
+}
+
+/// Says how the cost of an effect of shaders is found.
+void chooseMeasure(const std::string &name, uint64_t computed, Effect &effect) {
+  if (!name.starts_with("Inputs")) {
+    effect.how = Effect::InShaders;
+    return;
+  }
+  const int global = inputOf(name);
+  if (global < 0)
+    effect.whyNotMeasured = "a parameter: the shape's variable, or what the shader has put there";
+  else if (anysl_global_is_uniform(global))
+    effect.whyNotMeasured = "the same at all points";
+  else if (!(computed >> global & 1))
+    effect.whyNotMeasured = "not of points that rays meet";
+  else
+    effect.how = Effect::Input;
 }
 
 /// The scene with shaders of one kind.
@@ -110,12 +144,14 @@ public:
   }
 
   const Scene &scene() const { return host->scene(); }
-  void render() {
+  /// Renders, and adds the time that it takes to `times`. `again`: as in RenderOptions.
+  void render(std::vector<double> &times, std::optional<uint64_t> again = std::nullopt) const {
+    RenderOptions options;
+    options.again = again;
     double begin = shade::processSeconds();
-    anysl::render::render(*host, {});
+    anysl::render::render(*host, options);
     times.push_back(shade::processSeconds() - begin);
   }
-  double seconds() const { return shade::quantile(times, 0.5); }
 
   /// Of the libraries that another form has, linked as this one's are.
   demand::Json report(const WantedLibrary &library) const {
@@ -137,7 +173,17 @@ private:
   ShaderTarget target;
   ShaderCache cache;
   std::unique_ptr<Host> host;
-  std::vector<double> times;
+};
+
+/// What is rendered again and again, general and special in turn.
+struct Candidate {
+  Effect *effect;                ///< null: all
+  const Form *general, *special; ///< an input's are those of all
+  std::optional<uint64_t> again; ///< for an input
+  std::unique_ptr<Form> ownGeneral, ownSpecial;
+  std::vector<double> before, after;
+  double secondsBefore() const { return shade::quantile(before, 0.5); }
+  double secondsAfter() const { return shade::quantile(after, 0.5); }
 };
 
 struct Measured {
@@ -185,54 +231,70 @@ Measured measure(const Options &options, const SceneDescription &scene,
   std::map<std::string, SceneDescription> scenesWithout;
   for (const SceneEffect &its : sceneEffects(scene)) {
     Effect &effect = result.effects[its.name];
-    effect.isOfScene = true;
+    effect.how = Effect::OfScene;
     effect.asking = its.asking;
     if (!effect.isKept())
       effect.dropped.insert(its.whyNot);
     else
       its.leaveOut(scenesWithout.try_emplace(its.name, scene).first->second);
   }
-  std::vector<std::unique_ptr<Form>> without; // of each effect that is measured
+  std::vector<Candidate> candidates;
+  auto add = [&](Effect *effect, std::optional<uint64_t> again = std::nullopt) -> Candidate & {
+    return candidates.emplace_back(effect, general.get(), special.get(), again);
+  };
+  auto addForms = [&](Effect &effect, std::unique_ptr<Form> ownGeneral,
+                      std::unique_ptr<Form> ownSpecial) {
+    Candidate &its = add(&effect);
+    its.general = ownGeneral.get(), its.special = ownSpecial.get();
+    its.ownGeneral = std::move(ownGeneral), its.ownSpecial = std::move(ownSpecial);
+  };
+  add(nullptr);
+  add(nullptr, 0); // what is done once more for every input
+  const uint64_t computed = globalsOf(general->scene());
   for (auto &[name, effect] : result.effects) {
-    effect.isMeasured = effect.isOfScene ? effect.isKept() : canBeLeftOut(name);
-    if (!effect.isMeasured)
-      continue;
-    if (effect.isOfScene) {
-      const SceneDescription &other = scenesWithout.at(name);
-      for (bool specialise : {false, true})
-        without.push_back(
-            std::make_unique<Form>(options, other, searchPath, specialise, "", warnings));
-      continue;
+    if (effect.how != Effect::OfScene)
+      chooseMeasure(name, computed, effect);
+    if (effect.how == Effect::Input) {
+      add(&effect, uint64_t(1) << inputOf(name));
+    } else if (effect.how == Effect::OfScene && effect.isKept()) {
+      auto makeOther = [&](bool specialise) {
+        return std::make_unique<Form>(options, scenesWithout.at(name), searchPath, specialise, "",
+                                      warnings);
+      };
+      addForms(effect, makeOther(false), makeOther(true));
+    } else if (effect.how == Effect::InShaders) {
+      std::unique_ptr<Form> generalWithout = make(false, name), specialWithout = make(true, name);
+      effect.before = result.before;
+      effect.after = result.after;
+      for (const WantedLibrary *library : libraries) {
+        effect.before = effect.before - sizeOf(generalWithout->report(*library));
+        effect.after = effect.after - sizeOf(specialWithout->report(*library));
+      }
+      addForms(effect, std::move(generalWithout), std::move(specialWithout));
     }
-    std::unique_ptr<Form> generalWithout = make(false, name), specialWithout = make(true, name);
-    effect.before = result.before;
-    effect.after = result.after;
-    for (const WantedLibrary *library : libraries) {
-      effect.before = effect.before - sizeOf(generalWithout->report(*library));
-      effect.after = effect.after - sizeOf(specialWithout->report(*library));
-    }
-    without.push_back(std::move(generalWithout));
-    without.push_back(std::move(specialWithout));
   }
   shade::Progress progress(fs::path(options.scene).filename().string(), options.quiet);
-  for (int round = 0; round < rounds; ++round) {
-    general->render();
-    special->render();
-    for (size_t i = 0; i < without.size(); ++i) {
-      without[i]->render();
-      progress.show((round + double(i + 1) / double(without.size())) / rounds);
+  for (int round = 0; round < rounds; ++round)
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      Candidate &its = candidates[i];
+      its.general->render(its.before, its.again);
+      its.special->render(its.after, its.again);
+      progress.show((round + double(i + 1) / double(candidates.size())) / rounds);
     }
-  }
   progress.finish();
-  result.secondsBefore = general->seconds();
-  result.secondsAfter = special->seconds();
-  size_t next = 0;
-  for (auto &[name, effect] : result.effects)
-    if (effect.isMeasured) {
-      effect.costBefore = result.secondsBefore - without[next++]->seconds();
-      effect.costAfter = effect.isKept() ? result.secondsAfter - without[next]->seconds() : 0;
-      ++next;
-    }
+  const Candidate &all = candidates[0], &nothing = candidates[1];
+  result.secondsBefore = all.secondsBefore();
+  result.secondsAfter = all.secondsAfter();
+  for (const Candidate &its : candidates) {
+    if (!its.effect)
+      continue;
+    bool isInput = its.again.has_value();
+    its.effect->costBefore = isInput ? its.secondsBefore() - nothing.secondsBefore()
+                                     : result.secondsBefore - its.secondsBefore();
+    if (its.effect->isKept())
+      its.effect->costAfter = isInput ? its.secondsAfter() - nothing.secondsAfter()
+                                      : result.secondsAfter - its.secondsAfter();
+  }
   return result;
 }
 
@@ -244,16 +306,21 @@ std::string join(const std::set<std::string> &texts, const char *separator = ", 
 }
 
 /// Who asked, and why; or why nobody did.
-std::string reason(const Effect &effect) {
+std::string whoAsked(const Effect &effect) {
   if (!effect.isKept())
     return join(effect.dropped, "; ");
   std::string result =
-      (effect.isOfScene ? "" : join(effect.requests) + " at ") + join(effect.asking);
+      (effect.how == Effect::OfScene ? "" : join(effect.requests) + " at ") + join(effect.asking);
   if (!effect.outputs.empty())
     result += "; for " + join(effect.outputs);
   if (!effect.because.empty())
     result += "; " + join(effect.because);
   return result;
+}
+
+std::string reason(const Effect &effect) {
+  return whoAsked(effect) +
+         (effect.whyNotMeasured.empty() ? "" : "; no time: " + effect.whyNotMeasured);
 }
 
 void printTable(const Measured &measured) {
@@ -280,10 +347,9 @@ void printTable(const Measured &measured) {
   line("effect", "", print("%16s %12s", "instructions", "calls"), "milliseconds",
        "who asks, or why nobody does");
   for (const auto &[name, effect] : measured.effects) {
-    bool hasSize = effect.isMeasured && !effect.isOfScene;
     line(name, effect.isKept() ? "kept" : "dropped",
-         hasSize ? sizes(effect.before, effect.after) : "",
-         effect.isMeasured ? times(effect.costBefore, effect.costAfter) : "", reason(effect));
+         effect.hasSize() ? sizes(effect.before, effect.after) : "",
+         effect.isMeasured() ? times(effect.costBefore, effect.costAfter) : "", reason(effect));
   }
   line("all", "", sizes(measured.before, measured.after),
        times(measured.secondsBefore, measured.secondsAfter), "of the whole picture");
@@ -311,14 +377,16 @@ std::string makeJson(const std::string &name, const Measured &measured) {
   bool isFirst = true;
   for (const auto &[effect, its] : measured.effects) {
     text += std::string(isFirst ? "" : ",") + "\n{\"effect\": " + demand::quoted(effect) +
-            ", \"of\": \"" + (its.isOfScene ? "scene" : "shaders") + "\"" +
+            ", \"of\": \"" + (its.how == Effect::OfScene ? "scene" : "shaders") + "\"" +
             ", \"kept\": " + (its.isKept() ? "true" : "false") + list("requests", its.requests) +
             list("asking", its.asking) + list("outputs", its.outputs) +
             list("because", its.because) + list("dropped", its.dropped);
-    if (its.isMeasured && !its.isOfScene)
+    if (its.hasSize())
       text += sizes(its.before, its.after);
-    if (its.isMeasured)
+    if (its.isMeasured())
       text += pair("seconds", its.costBefore, its.costAfter);
+    if (!its.whyNotMeasured.empty())
+      text += ", \"not measured\": " + demand::quoted(its.whyNotMeasured);
     text += "}";
     isFirst = false;
   }
@@ -347,19 +415,20 @@ std::string makePage(const std::string &name, const Measured &measured) {
   for (const auto &[effect, its] : measured.effects) {
     if (its.isKept())
       kept.push_back(rows.size());
-    bool hasSize = its.isMeasured && !its.isOfScene;
-    rows.push_back({plot::escaped(effect), its.isKept() ? "kept" : "dropped",
-                    its.isMeasured ? bar(its.costBefore, "--s5") + bar(its.costAfter, "--s0") : "",
-                    hasSize ? figures(its.before.instructions, its.after.instructions) : "",
-                    hasSize ? figures(its.before.calls, its.after.calls) : "",
-                    "<div style=\"white-space: normal; min-width: 30em\">" +
-                        plot::escaped(reason(its)) + "</div>"});
+    rows.push_back(
+        {plot::escaped(effect), its.isKept() ? "kept" : "dropped",
+         its.isMeasured() ? bar(its.costBefore, "--s5") + bar(its.costAfter, "--s0") : "",
+         its.hasSize() ? figures(its.before.instructions, its.after.instructions) : "",
+         its.hasSize() ? figures(its.before.calls, its.after.calls) : "",
+         "<div style=\"white-space: normal; min-width: 30em\">" + plot::escaped(reason(its)) +
+             "</div>"});
   }
   char summary[300];
   std::snprintf(summary, sizeof summary,
                 "<p>The picture takes %.1f ms of processor time with shaders for any scene (grey "
                 "bars), %.1f ms with those linked for it (blue). An effect's bar is what the "
-                "picture takes less without it; instructions and calls are those of the shaders "
+                "picture takes less without it, that of an input what it takes more to compute it "
+                "once more; instructions and calls are those of the shaders "
                 "for one point.</p>",
                 1e3 * measured.secondsBefore, 1e3 * measured.secondsAfter);
   return plot::page(plot::escaped(name) + ": what the scene calls for",

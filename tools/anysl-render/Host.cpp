@@ -216,6 +216,19 @@ void anysl::render::storeHit(const Geometry &geometry, const Hit &hit, const Ray
   }
 }
 
+void anysl::render::computeAgain(ThreadState &state, const Scene &scene, const Hit &hit,
+                                 const Ray &ray, unsigned depth, uint64_t globals) {
+  Arena::Scope scope(state.arena);
+  float *numbers = state.arena.allocate<float>(ANYSL_COMPONENT_COUNT);
+  SurfacePoint point;
+  uint64_t needed = neededFor(globals);
+  scene.geometry().evaluate(hit, ray.origin, ray.direction, needed, point);
+  if (needed & footprintBits)
+    findFootprint(scene.camera, depth == 0, ray, point);
+  storeGlobals(globals, point, ray, ray.travelled,
+               [&](int number, double value) { numbers[number] = float(value); });
+}
+
 Vec3f anysl::render::defaultSurface(const SurfacePoint &point, Vec3f direction) {
   double facing = std::fabs(dot(point.normal, Vec3d(direction)));
   return Vec3f(point.color * point.opacity * (0.1 + 0.9 * facing));

@@ -81,6 +81,7 @@ struct ThreadState {
   RenderCounts counts;
   bool timed = false;
   shade::Recorder *recorder = nullptr; ///< of what shaders are called with; null: nobody asks
+  std::optional<uint64_t> again;       ///< globals to compute once more (RenderOptions)
 
   void startShading() {
     if (timed)
@@ -285,6 +286,10 @@ void storeUniformGlobals(uint64_t wanted, const Scene &scene, const Store &store
   for (int k = 0; k < 3; ++k)
     number(ANYSL_E, ANYSL_COMPONENT_E + k, 0);
 }
+
+/// Computes some globals of a hit into memory that nobody looks at, as hosts do before they shade.
+void computeAgain(ThreadState &state, const Scene &scene, const Hit &hit, const Ray &ray,
+                  unsigned depth, uint64_t globals);
 
 /// The surface that shows where a scene names none: lit from the eye.
 Vec3f defaultSurface(const SurfacePoint &point, Vec3f direction);

@@ -34,7 +34,7 @@ Renders a RIB scene whose shaders are compiled by AnySL.
                     goes first
   --no-specialise   link shaders for any scene, with effects that this one does not call for
   --keep-going      leave out what is missing or wrong in the scene, with a warning
-  --watch           render again whenever the scene or a shader changes
+  --watch           render again whenever the scene, a shader or a picture changes
   --accuracy-report FOLDER
                     instead of a picture, write what buys a better one: error against time of
                     every math tier, real and number of samples

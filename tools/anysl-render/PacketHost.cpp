@@ -201,6 +201,8 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
       values->set(i, theScene.bindingsOf(geometry.shapeOf(hit)), geometry.variablesAt(hit, point));
     if (needed & footprintBits)
       findFootprint(theScene.camera, members.depth == 0, ray, point);
+    if (state.again)
+      computeAgain(state, theScene, hit, ray, members.depth, *state.again & needed);
     starts.set(i, point);
     depths[i] = float(point.frame.P.z);
     globals.set(i, wanted, point, ray, ray.travelled);

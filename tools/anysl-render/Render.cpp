@@ -177,6 +177,7 @@ RenderResult anysl::render::render(const Host &host, const RenderOptions &option
         ThreadState &state = states.local();
         state.timed = options.timed;
         state.recorder = options.recorder;
+        state.again = options.again;
         int x0 = cropX0 + tile % columns * tileSize, y0 = cropY0 + tile / columns * tileSize;
         TileJob job(host, sampler, film, state);
         job.run(x0, std::min(x0 + tileSize, cropX1), y0, std::min(y0 + tileSize, cropY1));

@@ -18,6 +18,9 @@ namespace anysl::render {
 struct RenderOptions {
   bool timed = false;                  ///< measure how long shaders run
   shade::Recorder *recorder = nullptr; ///< collects what shaders are called with
+  /// Globals that are computed once more at each point whose shaders want them, to see what that
+  /// takes; 0: only the point itself.
+  std::optional<uint64_t> again;
   /// Called now and then, by one thread at a time, with the share of tiles that are done.
   std::function<void(double share)> progress;
   /// Asked before each tile; true gives up, and the picture is not complete.

@@ -163,6 +163,8 @@ RayStarts ScalarHost::shade(ThreadState &state, const Hit &hit, const Ray &ray, 
   geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
   if (needed & footprintBits)
     findFootprint(theScene.camera, depth == 0, ray, point);
+  if (state.again)
+    computeAgain(state, theScene, hit, ray, depth, *state.again & needed);
   PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
   batch.starts.set(0, point);
   batch.volume = volume;

@@ -25,7 +25,13 @@ Watch::State Watch::look(const std::filesystem::path &file) {
 void Watch::add(const std::vector<std::filesystem::path> &paths) {
   std::lock_guard guard(lock);
   for (const auto &path : paths)
-    files.emplace(path, look(path));
+    if (!leftOut.contains(std::filesystem::absolute(path).lexically_normal()))
+      files.emplace(path, look(path));
+}
+
+void Watch::leaveOut(const std::filesystem::path &file) {
+  std::lock_guard guard(lock);
+  leftOut.insert(std::filesystem::absolute(file).lexically_normal());
 }
 
 bool Watch::changed() {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
 #include <vector>
 
 namespace anysl::render {
@@ -21,6 +22,8 @@ namespace anysl::render {
 class Watch {
 public:
   void add(const std::vector<std::filesystem::path> &files);
+  /// Leaves a file out from now on, which this program itself writes.
+  void leaveOut(const std::filesystem::path &file);
   /// Whether a file has changed since it was added. Cheap: it looks five times a second at most.
   /// Any thread may ask.
   bool changed();
@@ -37,6 +40,7 @@ private:
 
   std::mutex lock;
   std::map<std::filesystem::path, State> files;
+  std::set<std::filesystem::path> leftOut;
   std::chrono::steady_clock::time_point last;
   bool seen = false;
   std::filesystem::file_time_type saved = std::filesystem::file_time_type::min();

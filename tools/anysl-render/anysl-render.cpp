@@ -159,8 +159,10 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
       watch->add(cache.sources());
     throw;
   }
-  if (watch)
+  if (watch) {
     watch->add(cache.sources());
+    host->scene().pictures().tellPlaces([watch](const std::string &path) { watch->add({path}); });
+  }
   double setup = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   shade::Progress progress(fs::path(options.scene).filename().string(), options.quiet);
@@ -207,6 +209,21 @@ bool renderScene(const Options &options, const SceneDescription &scene, Watch *w
   return true;
 }
 
+/// Has the pictures watched that textures are made of, but no file that is written for the scenes.
+void watchPictures(const std::vector<SceneDescription> &scenes, Watch &watch) {
+  std::vector<fs::path> sources;
+  for (const SceneDescription &scene : scenes) {
+    for (const OutputFile &output : scene.outputs)
+      watch.leaveOut(imageFileName(output));
+    for (const auto *textures : {&scene.texturesBefore, &scene.texturesAfter})
+      for (const TextureUse &texture : *textures) {
+        watch.leaveOut(texture.texture);
+        sources.insert(sources.end(), texture.pictures.begin(), texture.pictures.end());
+      }
+  }
+  watch.add(sources);
+}
+
 void makeTextures(const std::vector<TextureUse> &textures, Warnings &warnings) {
   for (const TextureUse &texture : textures)
     try {
@@ -224,6 +241,10 @@ void renderFile(const Options &options, Watch *watch, SaveTime saved, unsigned t
   for (SceneDescription &scene : scenes) {
     scene.folder = fs::path(options.scene).parent_path().string();
     applyOptions(options, scene);
+  }
+  if (watch)
+    watchPictures(scenes, *watch);
+  for (SceneDescription &scene : scenes) {
     makeTextures(scene.texturesBefore, warnings);
     if (!options.accuracyReport.empty())
       return writeAccuracyReport(options, scene, shaderPath(options, scene), warnings);
