@@ -14,7 +14,8 @@
 //
 //   KERNEL_WIDTH=1   calls the function itself; KERNEL_VECTORIZE asks clang to vectorise that loop
 //   KERNEL_WIDTH=W   calls the variant whose name starts with KERNEL_VARIANT, e.g. "_ZGVeN16ul_",
-//                    which anysl-vectorize defines
+//                    which anysl-vectorize defines; KERNEL_LANES, if it is not a width that
+//                    compilers give the instruction set by themselves
 //
 // KERNEL_TIER takes the elementary functions from <anysl/math.h> instead of from the C library.
 //
@@ -58,11 +59,19 @@ typedef void KernelLoop(const KernelPoints *points, int count);
 #define MATH(name) name
 #endif
 
+#define KERNEL_PRAGMA(text) _Pragma(#text)
+#define KERNEL_SIMD(...)                                                                           \
+  KERNEL_PRAGMA(omp declare simd notinbranch uniform(points) linear(i : 1) __VA_ARGS__)
+#ifdef KERNEL_LANES
+#define KERNEL_VARIANTS KERNEL_SIMD(simdlen(KERNEL_LANES))
+#else
+#define KERNEL_VARIANTS KERNEL_SIMD()
+#endif
+
 #define KERNEL(name)                                                                               \
   void name(const KernelPoints *points, int i);                                                    \
   KERNEL_LOOP(name)                                                                                \
-  _Pragma("omp declare simd notinbranch uniform(points) linear(i : 1)") void name(                 \
-      const KernelPoints *points, int i)
+  KERNEL_VARIANTS void name(const KernelPoints *points, int i)
 
 #define KERNEL_EXPORT __attribute__((visibility("default")))
 

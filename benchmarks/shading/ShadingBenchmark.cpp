@@ -5,11 +5,12 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-//   anysl-bench-shading [Google Benchmark's options] LIBRARY.so...
+//   anysl-bench-shading [Google Benchmark's options] [--agree] LIBRARY.so...
 //
 // Registers one benchmark for each shader of each library at each width it was built for, named
 // <file>/<shader>/<width>; `points` counts points a second. Each is checked against the first width
-// of the same shader before anything is timed.
+// of the same shader before anything is timed; with --agree, shaders of one name in several
+// libraries are checked against the first library's.
 //
 //===------------------------------------------------------------------------------------------===//
 
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,7 +55,11 @@ struct Subject {
   std::exit(1);
 }
 
-void registerShader(const std::string &file, AnyslLibrary *library, const AnyslShaderInfo &shader) {
+/// What the first of each shader gives, by the name of file and shader, or of the shader alone.
+using Expectations = std::map<std::string, std::vector<float>>;
+
+void registerShader(const std::string &file, AnyslLibrary *library, const AnyslShaderInfo &shader,
+                    const std::string &key, Expectations &expectations) {
   AnyslInstance *instance;
   AnyslBatch *batch;
   if (anysl_instance_create(library, shader.name, &services(), nullptr, &instance) != ANYSL_OK ||
@@ -64,7 +70,9 @@ void registerShader(const std::string &file, AnyslLibrary *library, const AnyslS
   subject->batch.reset(batch);
   fillBatch(batch);
 
-  std::vector<float> expected = subject->shade(shader.entries[0].width);
+  std::vector<float> &expected = expectations[key];
+  if (expected.empty())
+    expected = subject->shade(shader.entries[0].width);
   for (uint32_t i = 0; i < shader.entry_count; ++i) {
     uint32_t width = shader.entries[i].width;
     std::vector<float> color = subject->shade(width);
@@ -72,15 +80,16 @@ void registerShader(const std::string &file, AnyslLibrary *library, const AnyslS
       fail(anysl_last_error());
     for (size_t k = 0; k < color.size(); ++k)
       if (!(std::fabs(color[k] - expected[k]) <= 1e-5f * (1 + std::fabs(expected[k]))))
-        fail(file + ": width " + std::to_string(width) + " differs at point " + std::to_string(k / 3));
+        fail(file + ": width " + std::to_string(width) + " differs at point " +
+             std::to_string(k / 3));
     std::string name = file + "/" + shader.name + "/" + std::to_string(width);
     benchmark::RegisterBenchmark(name.c_str(), [subject, width](benchmark::State &state) {
       for (auto iteration : state) {
         anysl_shade(subject->instance.get(), subject->batch.get(), 0, pointCount, width);
         benchmark::ClobberMemory();
       }
-      state.counters["points"] = benchmark::Counter(
-          double(pointCount) * double(state.iterations()), benchmark::Counter::kIsRate);
+      state.counters["points"] = benchmark::Counter(double(pointCount) * double(state.iterations()),
+                                                    benchmark::Counter::kIsRate);
     });
   }
 }
@@ -89,17 +98,24 @@ void registerShader(const std::string &file, AnyslLibrary *library, const AnyslS
 
 int main(int argc, char **argv) {
   benchmark::Initialize(&argc, argv);
-  if (argc < 2)
+  std::vector<std::string> files(argv + 1, argv + argc);
+  bool agree = std::erase(files, "--agree") > 0;
+  if (files.empty())
     fail("no shader library given");
   std::vector<std::unique_ptr<AnyslLibrary, Free>> libraries;
-  for (int i = 1; i < argc; ++i) {
+  Expectations expectations;
+  for (const std::string &path : files) {
     AnyslLibrary *library;
-    if (anysl_library_open(argv[i], 0, &library) != ANYSL_OK)
+    if (anysl_library_open(path.c_str(), 0, &library) != ANYSL_OK)
       fail(anysl_last_error());
     libraries.emplace_back(library);
     const AnyslLibraryInfo *info = anysl_library_info(library);
-    for (uint32_t k = 0; k < info->shader_count; ++k)
-      registerShader(std::filesystem::path(argv[i]).stem().string(), library, info->shaders[k]);
+    std::string file = std::filesystem::path(path).stem().string();
+    for (uint32_t k = 0; k < info->shader_count; ++k) {
+      std::string name = info->shaders[k].name;
+      registerShader(file, library, info->shaders[k], agree ? name : path + "/" + name,
+                     expectations);
+    }
   }
   benchmark::RunSpecifiedBenchmarks();
   return 0;
