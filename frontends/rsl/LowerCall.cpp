@@ -184,8 +184,8 @@ Value *Lowering::callBuiltin(const CallExpr &call) {
       operands.push_back(temporary({typeKindOf(param.type), call.type.varying}));
     }
   }
-  Value *returned = mayBeTraced(call) ? lowerTraced(call, operands, builtin.op)
-                                      : b.call(builtin.op, operands);
+  Value *returned =
+      mayBeTraced(call) ? lowerTraced(call, operands, builtin.op) : b.call(builtin.op, operands);
   for (const Output &output : outputs)
     store(output.target, convert(output.value, output.from, output.to));
   return builtin.result == TypeKind::Bool ? returned : result;

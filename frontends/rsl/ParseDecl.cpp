@@ -65,7 +65,8 @@ void Parser::errorHere(const Twine &message) {
   diags.error(peek().loc, message).range(peek().range());
 }
 
-bool Parser::expect(TokenKind kind, StringRef where) {
+/// Takes a word, or reports that it is missing; `open` is the bracket that it belongs to, if any.
+bool Parser::expect(TokenKind kind, StringRef where, SMLoc open) {
   if (accept(kind))
     return true;
   // What is missing is missing behind the last word, which may be lines above the next.
@@ -75,6 +76,9 @@ bool Parser::expect(TokenKind kind, StringRef where) {
   auto error = diags.error(loc, "expected " + describe(kind) + " " + where);
   if (kind == TokenKind::Semicolon)
     error.fixit({lastEnd(), lastEnd()}, ";");
+  if (open.isValid())
+    error.note(open, "to match this '" + StringRef(open.getPointer(), 1) + "'",
+               {open, SMLoc::getFromPointer(open.getPointer() + 1)});
   return false;
 }
 

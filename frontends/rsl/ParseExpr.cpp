@@ -220,10 +220,8 @@ Expr *Parser::parseUnary() {
       return grown(ast.make<NotExpr>(loc, rangeFrom(loc), operand), {operand});
     return grown(ast.make<NegateExpr>(loc, rangeFrom(loc), operand), {operand});
   }
-  if (token.isOneOf(TokenKind::PlusPlus, TokenKind::MinusMinus)) {
-    errorHere("RSL has no '" + token.text + "'; write '" + token.text.take_front() + "= 1'");
-    return nullptr;
-  }
+  if (token.isOneOf(TokenKind::PlusPlus, TokenKind::MinusMinus))
+    return parseIncrement(nullptr, token.loc);
   if (atTypeName())
     return parseCast();
   return parsePostfix();
@@ -284,15 +282,34 @@ Expr *Parser::parsePostfix() {
     }
     SMLoc loc = take().loc;
     Expr *index = parseExpr();
-    if (!index || !expect(TokenKind::RightBracket, "after an index"))
+    if (!index || !expect(TokenKind::RightBracket, "after an index", loc))
       return nullptr;
     expr = grown(ast.make<IndexExpr>(loc, rangeFrom(begin), expr, index), {expr, index});
   }
-  if (expr && peek().isOneOf(TokenKind::PlusPlus, TokenKind::MinusMinus)) {
-    errorHere("RSL has no '" + peek().text + "'; write '" + peek().text.take_front() + "= 1'");
-    return nullptr;
-  }
+  if (expr && peek().isOneOf(TokenKind::PlusPlus, TokenKind::MinusMinus))
+    return parseIncrement(expr, begin);
   return expr;
+}
+
+/// At a `++` or `--` behind its operand, or, where that is null, in front of it: reported, and
+/// taken for what it means.
+Expr *Parser::parseIncrement(Expr *operand, SMLoc begin) {
+  Token token = take();
+  std::string instead = (token.text.take_front() + "= 1").str();
+  auto error = diags.error(token.loc, "RSL has no '" + token.text + "'; write '" + instead + "'");
+  error.range(token.range());
+  if (operand)
+    error.fixit(token.range(), " " + instead);
+  else if (!enter(token.loc))
+    return nullptr;
+  else if (operand = parsePostfix(), --depth; !operand)
+    return nullptr;
+  auto *one = ast.make<NumberExpr>(token.range(), 1.0);
+  return grown(
+      ast.make<AssignExpr>(token.loc, rangeFrom(begin),
+                           token.is(TokenKind::PlusPlus) ? BinaryOp::Add : BinaryOp::Subtract,
+                           operand, one),
+      {operand, one});
 }
 
 Expr *Parser::parsePrimary() {
@@ -330,6 +347,7 @@ Expr *Parser::parsePrimary() {
 }
 
 bool Parser::parseArguments(std::vector<Expr *> &args) {
+  SMLoc open = peek().loc;
   if (!expect(TokenKind::LeftParen, "before arguments"))
     return false;
   if (accept(TokenKind::RightParen))
@@ -340,7 +358,7 @@ bool Parser::parseArguments(std::vector<Expr *> &args) {
       return false;
     args.push_back(arg);
   } while (accept(TokenKind::Comma));
-  return expect(TokenKind::RightParen, "after arguments");
+  return expect(TokenKind::RightParen, "after arguments", open);
 }
 
 Expr *Parser::parseCall() {
@@ -366,7 +384,7 @@ Expr *Parser::parseParenthesised() {
       return nullptr;
     elements.push_back(element);
   } while (accept(TokenKind::Comma));
-  if (!expect(TokenKind::RightParen, "after an expression"))
+  if (!expect(TokenKind::RightParen, "after an expression", begin))
     return nullptr;
   if (elements.size() == 1) {
     // A message about an operation underlines its brackets too.
@@ -393,7 +411,7 @@ Expr *Parser::parseInitialiser() {
     if (!accept(TokenKind::Comma))
       break;
   }
-  if (!expect(TokenKind::RightBrace, "after the elements of an array"))
+  if (!expect(TokenKind::RightBrace, "after the elements of an array", begin))
     return nullptr;
   auto *list = ast.make<ListExpr>(rangeFrom(begin), ast.copy<Expr *>(elements));
   for (Expr *element : elements)

@@ -7,6 +7,8 @@
 
 #include "frontends/rsl/Parser.h"
 
+#include "llvm/ADT/StringSwitch.h"
+
 using namespace llvm;
 
 namespace anysl::rsl {
@@ -147,8 +149,11 @@ Stmt *Parser::parseStatementInner() {
 Stmt *Parser::parseUnknownType() {
   Token type = take();
   StringRef types[] = {"float", "color", "point", "vector", "normal", "matrix", "string"};
-  bool isNumber = type.text == "int" || type.text == "double" || type.text == "bool";
-  std::optional<StringRef> likely = isNumber ? StringRef("float") : suggest(type.text, types);
+  auto likely = StringSwitch<std::optional<StringRef>>(type.text)
+                    .Cases("int", "double", "bool", "half", "float")
+                    .Cases("vec3", "float3", "vector")
+                    .Cases("mat4", "float4x4", "matrix")
+                    .Default(suggest(type.text, types));
   std::string question = likely ? "; did you mean '" + likely->str() + "'?" : "";
   auto error = diags.error(type.loc, "unknown type '" + type.text + "'" + question);
   error.range(type.range());
@@ -195,11 +200,11 @@ Stmt *Parser::parseVariables(const Specifiers &specifiers) {
 }
 
 Stmt *Parser::parseIf() {
-  SMLoc loc = take().loc;
+  SMLoc loc = take().loc, open = peek().loc;
   if (!expect(TokenKind::LeftParen, "after 'if'"))
     return nullptr;
   Expr *condition = parseExpr();
-  if (!condition || !expect(TokenKind::RightParen, "after a condition"))
+  if (!condition || !expect(TokenKind::RightParen, "after a condition", open))
     return nullptr;
   Stmt *thenBody = parseStatement();
   Stmt *elseBody = accept(TokenKind::KwElse) ? parseStatement() : nullptr;
@@ -209,11 +214,11 @@ Stmt *Parser::parseIf() {
 }
 
 Stmt *Parser::parseWhile() {
-  SMLoc loc = take().loc;
+  SMLoc loc = take().loc, open = peek().loc;
   if (!expect(TokenKind::LeftParen, "after 'while'"))
     return nullptr;
   Expr *condition = parseExpr();
-  if (!condition || !expect(TokenKind::RightParen, "after a condition"))
+  if (!condition || !expect(TokenKind::RightParen, "after a condition", open))
     return nullptr;
   auto *loop = ast.make<LoopStmt>(StmtKind::While, loc);
   loop->condition = condition;
@@ -222,7 +227,7 @@ Stmt *Parser::parseWhile() {
 }
 
 Stmt *Parser::parseFor() {
-  SMLoc loc = take().loc;
+  SMLoc loc = take().loc, open = peek().loc;
   if (!expect(TokenKind::LeftParen, "after 'for'"))
     return nullptr;
   auto *loop = ast.make<LoopStmt>(StmtKind::For, loc);
@@ -243,7 +248,7 @@ Stmt *Parser::parseFor() {
     return nullptr;
   if (!at(TokenKind::RightParen) && !(loop->step = parseList()))
     return nullptr;
-  if (!expect(TokenKind::RightParen, "after the head of a 'for'"))
+  if (!expect(TokenKind::RightParen, "after the head of a 'for'", open))
     return nullptr;
   loop->body = parseStatement();
   return loop;

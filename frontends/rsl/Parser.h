@@ -52,7 +52,7 @@ private:
   bool at(TokenKind kind) const { return peek().is(kind); }
   Token take();
   bool accept(TokenKind kind);
-  bool expect(TokenKind kind, StringRef where);
+  bool expect(TokenKind kind, StringRef where, SMLoc open = {});
   void errorHere(const llvm::Twine &message);
   SMLoc lastEnd() const { return position ? tokens[position - 1].end : tokens[0].loc; }
   SMRange rangeFrom(SMLoc begin) const { return {begin, lastEnd()}; }
@@ -110,6 +110,7 @@ private:
   Expr *parseBinary(int least);
   Expr *parseUnary();
   Expr *parsePostfix();
+  Expr *parseIncrement(Expr *operand, SMLoc begin);
   Expr *parsePrimary();
   Expr *parseCast();
   Expr *parseCall();

@@ -97,10 +97,16 @@ Expr *Sema::checkName(NameExpr &name) {
       none->type = {TypeKind::Shader};
       return none;
     }
-    auto error = diags.error(name.loc, "unknown variable '" + name.name + "'" +
-                                           didYouMean(name.name, visibleNames()));
+    bool isTruth = name.name == "true" || name.name == "false";
+    auto error = diags.error(
+        name.loc,
+        isTruth ? "RSL has no '" + name.name + "'; write " + (name.name == "true" ? "1" : "0")
+                : ("unknown variable '" + name.name + "'" + didYouMean(name.name, visibleNames()))
+                      .str());
     error.range(name.range);
-    if (std::optional<StringRef> likely = suggest(name.name, visibleNames())) {
+    if (isTruth) {
+      error.fixit(name.range, name.name == "true" ? "1" : "0");
+    } else if (std::optional<StringRef> likely = suggest(name.name, visibleNames())) {
       error.fixit(name.range, *likely);
       if (VarDecl *meant = lookup(*likely); meant && meant->range.isValid())
         error.note(meant->range.Start, "'" + *likely + "' is declared here", meant->range);

@@ -8,12 +8,15 @@ surface s(float a = 1 b = 2) {    // expected-error {{expected ';', ',' or ')' a
 
 surface t() {
   Ci = 1 +;                       // expected-error {{expected an expression, not ';'}}
-  Ci = (1, 2;                     // expected-error {{expected ')' after an expression}}
+  Ci = (1, 2;                     // expected-error {{expected ')' after an expression}} expected-note {{to match this '('}}
   float x = 1                     // expected-error {{expected ';' after a declaration}}
   x++;                            // expected-error {{RSL has no '++'; write '+= 1'}}
+  --x;                            // expected-error {{RSL has no '--'; write '-= 1'}}
+  ++;                             // expected-error {{RSL has no '++'; write '+= 1'}} expected-error {{expected an expression, not ';'}}
+  Ci = mix(Cs, (1, 1, 1), 0.5;    // expected-error {{expected ')' after arguments}} expected-note {{to match this '('}}
   x = x % 2;                      // expected-error {{RSL has no '%'; use mod(a, b)}}
   if x > 1) Ci = 1;               // expected-error {{expected '(' after 'if'}}
-  while (x > 1 Ci = 1;            // expected-error {{expected ')' after a condition}}
+  while (x > 1 Ci = 1;            // expected-error {{expected ')' after a condition}} expected-note {{to match this '('}}
   for (x = 0; x < 1) Ci = 1;      // expected-error {{expected ';' after the condition of a 'for'}}
   break 1 2;                      // expected-error {{expected ';' after 'break'}}
   else Ci = 1;                    // expected-error {{'else' without an 'if'}}
@@ -22,7 +25,7 @@ surface t() {
   output float o;                 // expected-error {{only parameters can be 'output'}}
   void v;                         // expected-error {{a variable cannot be 'void'}}
   Ci = color(1, 2, 3) + return;   // expected-error {{expected an expression, not the reserved word 'return'}}
-  Ci = a[1;                       // expected-error {{expected ']' after an index}}
+  Ci = a[1;                       // expected-error {{expected ']' after an index}} expected-note {{to match this '['}}
   Ci = x ? 1;                     // expected-error {{expected ':' in '?:'}}
   uniform = 2;                    // expected-error {{a declaration needs a type}}
 }
