@@ -19,6 +19,7 @@
 #include "lib/Rib/Diagnostics.h"
 #include "lib/Rib/Linear.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -117,6 +118,14 @@ struct PolygonShape {
   std::vector<uint32_t> vertices;     ///< of all loops: indices into the positions
 };
 
+/// The faces of a smooth mesh that are drawn: the others only shape those beside them.
+struct DrawnFaces {
+  std::vector<uint32_t> faces; ///< in increasing order; empty: all
+  bool contain(uint32_t face) const {
+    return faces.empty() || std::binary_search(faces.begin(), faces.end(), face);
+  }
+};
+
 /// Bilinear or bicubic patches that share their control points, the points of a row in u together.
 struct PatchShape {
   struct Direction {
@@ -127,6 +136,7 @@ struct PatchShape {
   };
   bool cubic = false;
   Direction u, v;
+  DrawnFaces drawn = {}; ///< patches, row by row
 };
 
 /// A non-uniform rational B-spline surface.
@@ -138,6 +148,7 @@ struct NurbsShape {
     uint32_t segments() const { return count - order + 1; }
   };
   Direction u, v;
+  DrawnFaces drawn = {}; ///< segments, row by row
 };
 
 /// A Catmull-Clark surface.
@@ -162,6 +173,7 @@ struct SubdivisionShape {
   };
   std::vector<Corner> corners;
   std::vector<uint32_t> holes; ///< faces that are not there
+  DrawnFaces drawn = {};
 };
 
 /// Ribbons along curves.

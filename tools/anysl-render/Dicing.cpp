@@ -174,14 +174,10 @@ void GridDicer::weld() {
   auto top = [&](uint32_t i) { return pointAt(i, up.last); };
   joinLines(up.last, left, right);
   joinLines(across.last, bottom, top);
-  joinLines(
-      up.last, [&](uint32_t) { return left(0); }, left);
-  joinLines(
-      up.last, [&](uint32_t) { return right(0); }, right);
-  joinLines(
-      across.last, [&](uint32_t) { return bottom(0); }, bottom);
-  joinLines(
-      across.last, [&](uint32_t) { return top(0); }, top);
+  joinLines(up.last, [&](uint32_t) { return left(0); }, left);
+  joinLines(up.last, [&](uint32_t) { return right(0); }, right);
+  joinLines(across.last, [&](uint32_t) { return bottom(0); }, bottom);
+  joinLines(across.last, [&](uint32_t) { return top(0); }, top);
   for (size_t i = 0; i < target.size(); ++i)
     mesh->points[i] = mesh->points[target[i]];
   size_t kept = 0;
@@ -201,20 +197,23 @@ void GridDicer::weld() {
 
 void GridDicer::addPatch(uint32_t column, uint32_t row) {
   uint32_t nx = across.pieces[column], ny = up.pieces[row];
+  bool isDrawn = grid.isDrawn(column, row);
   uint32_t firstCorner = uint32_t(mesh->parameters.size());
   for (uint32_t j = 0; j <= ny; ++j)
     for (uint32_t i = 0; i <= nx; ++i) {
       double x = double(i) / nx, y = double(j) / ny;
       SurfaceFrame frame = grid.evaluate(column, row, x, y);
-      Vec3d n = normal(frame, column, row, x, y);
       mesh->points[pointAt(across.first[column] + i, up.first[row] + j)] = Vec3f(frame.P);
+      if (!isDrawn)
+        continue;
+      Vec3d n = normal(frame, column, row, x, y);
       mesh->parameters.push_back({float(frame.u), float(frame.v)});
       mesh->dPdu.push_back(Vec3f(frame.dPdu));
       mesh->dPdv.push_back(Vec3f(frame.dPdv));
       for (int k = 0; k < 3; ++k)
         mesh->normals.values.push_back(float(n[k]));
     }
-  for (uint32_t j = 0; j < ny; ++j)
+  for (uint32_t j = 0; j < ny && isDrawn; ++j)
     for (uint32_t i = 0; i < nx; ++i) {
       uint32_t corner = firstCorner + j * (nx + 1) + i, above = corner + nx + 1;
       auto point = [&](uint32_t di, uint32_t dj) {
@@ -224,7 +223,7 @@ void GridDicer::addPatch(uint32_t column, uint32_t row) {
       mesh->addTriangle(point(0, 0), point(1, 1), point(0, 1));
       mesh->corners.push_back({corner, corner + 1, above + 1});
       mesh->corners.push_back({corner, above + 1, above});
-      mesh->faces.insert(mesh->faces.end(), 2, row * grid.columns + column);
+      mesh->faces.insert(mesh->faces.end(), 2, grid.face(column, row));
     }
 }
 
@@ -242,6 +241,7 @@ std::unique_ptr<Mesh> GridDicer::run(const ParameterList &variables) {
   for (const Vec3f &p : mesh->points)
     tolerance = std::max(tolerance, 4e-7 * double(maxAbs(p)));
   weld();
+  mesh->dropUnusedPoints();
 
   std::vector<Variable> values;
   for (const Parameter &parameter : variables) {
@@ -261,7 +261,7 @@ std::unique_ptr<Mesh> GridDicer::run(const ParameterList &variables) {
     for (uint32_t row = 0; row < grid.rows; ++row)
       for (uint32_t column = 0; column < grid.columns; ++column) {
         uint32_t nx = across.pieces[column], ny = up.pieces[row];
-        if (grid.isEmpty(column, row))
+        if (!grid.isDrawn(column, row))
           continue;
         for (uint32_t j = 0; j <= ny; ++j)
           for (uint32_t i = 0; i <= nx; ++i) {

@@ -46,8 +46,8 @@ private:
 /// A surface of columns x rows patches, each with parameters x and y in the unit square.
 class PatchGrid {
 public:
-  PatchGrid(uint32_t columns, uint32_t rows, bool wrapsU, bool wrapsV)
-      : columns(columns), rows(rows), wrapsU(wrapsU), wrapsV(wrapsV) {}
+  PatchGrid(uint32_t columns, uint32_t rows, bool wrapsU, bool wrapsV, DrawnFaces drawn = {})
+      : columns(columns), rows(rows), wrapsU(wrapsU), wrapsV(wrapsV), drawn(std::move(drawn)) {}
   virtual ~PatchGrid() = default;
 
   /// The surface in camera space, with its parameters and the derivatives by them. The normal is
@@ -61,6 +61,12 @@ public:
 
   uint32_t columns, rows;
   bool wrapsU, wrapsV; ///< the last patches border on the first
+  DrawnFaces drawn;
+
+  uint32_t face(uint32_t column, uint32_t row) const { return row * columns + column; }
+  bool isDrawn(uint32_t column, uint32_t row) const {
+    return !isEmpty(column, row) && drawn.contain(face(column, row));
+  }
 
   /// The value of a variable of any class that is not the same all over a patch.
   void value(const Variable &variable, StorageClass storage, uint32_t column, uint32_t row,

@@ -1,4 +1,4 @@
-//===-- tools/anysl-render/FaceValues.cpp - values of single polygons -------------------------===//
+//===-- tools/anysl-render/FaceValues.cpp - values of single faces ----------------------------===//
 //
 // Part of AnySL, under the Apache License v2.0 with LLVM Exceptions. See LICENSE.
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
@@ -40,13 +40,82 @@ Parameter pick(const Parameter &variable, std::span<const uint32_t> items) {
   return result;
 }
 
+/// The faces with the same values of the variables that need one for a whole shape, in the order of
+/// their first ones.
+struct FaceGroups {
+  std::vector<uint32_t> ofFace;
+  std::vector<std::vector<uint32_t>> faces;
+
+  FaceGroups(uint32_t count, const std::vector<const Parameter *> &split) {
+    std::map<std::pair<std::vector<double>, std::vector<std::string>>, uint32_t> numbers;
+    for (uint32_t face = 0; face < count; ++face) {
+      std::pair<std::vector<double>, std::vector<std::string>> values;
+      for (const Parameter *variable : split) {
+        Parameter value = pick(*variable, std::span(&face, 1));
+        values.first.insert(values.first.end(), value.numbers.begin(), value.numbers.end());
+        values.second.insert(values.second.end(), value.strings.begin(), value.strings.end());
+      }
+      uint32_t group = numbers.try_emplace(std::move(values), uint32_t(faces.size())).first->second;
+      if (group == faces.size())
+        faces.emplace_back();
+      faces[group].push_back(face);
+      ofFace.push_back(group);
+    }
+  }
+};
+
+/// How many values a variable of class uniform has; 0 where faces are not told apart.
+template <class Geometry>
+uint32_t faceCount(const Geometry &geometry) {
+  if constexpr (std::is_same_v<Geometry, PolygonShape>)
+    return uint32_t(geometry.loopCounts.size());
+  else if constexpr (std::is_same_v<Geometry, PatchShape>)
+    return geometry.u.segments(geometry.cubic) * geometry.v.segments(geometry.cubic);
+  else if constexpr (std::is_same_v<Geometry, NurbsShape>)
+    return geometry.u.segments() * geometry.v.segments();
+  else if constexpr (std::is_same_v<Geometry, SubdivisionShape>)
+    return uint32_t(geometry.vertexCounts.size());
+  else
+    return 0;
+}
+
+/// What a variable that is split has in all of a group.
+Parameter commonValue(const Parameter &variable, const std::vector<uint32_t> &faces) {
+  Parameter result = pick(variable, std::span(faces).first(1));
+  result.declaration->storage = StorageClass::Constant;
+  return result;
+}
+
+bool isAmong(const std::vector<const Parameter *> &split, const Parameter &variable) {
+  return std::find(split.begin(), split.end(), &variable) != split.end();
+}
+
+/// Parts of a smooth mesh: the faces around those that are drawn shape them, and u and v stay.
+template <class Geometry>
+std::vector<Shape> partsOf(const Geometry &geometry, const Shape &whole,
+                           const std::vector<const Parameter *> &split, const FaceGroups &groups) {
+  std::vector<Shape> result;
+  if constexpr (requires { geometry.drawn; })
+    for (const std::vector<uint32_t> &faces : groups.faces) {
+      Geometry part = geometry;
+      part.drawn.faces = faces;
+      Shape &shape = result.emplace_back(
+          Shape{std::move(part), {}, whole.objectToCamera, whole.appearance, whole.where});
+      for (const Parameter &variable : whole.variables)
+        shape.variables.push_back(isAmong(split, variable) ? commonValue(variable, faces)
+                                                           : variable);
+    }
+  return result;
+}
+
 /// Some of the polygons of a shape, and the places of their values in its variables.
 struct Part {
   PolygonShape geometry;
-  std::vector<uint32_t> faces, corners, points;
+  std::vector<uint32_t> corners, points;
 };
 
-Shape shapeOf(Part &part, const Shape &whole, const std::vector<const Parameter *> &split) {
+Shape shapeOf(Part &part, const std::vector<uint32_t> &faces, const Shape &whole,
+              const std::vector<const Parameter *> &split) {
   Shape result{std::move(part.geometry), {}, whole.objectToCamera, whole.appearance, whole.where};
   for (const Parameter &variable : whole.variables) {
     switch (variable.declaration->storage) {
@@ -54,12 +123,8 @@ Shape shapeOf(Part &part, const Shape &whole, const std::vector<const Parameter 
       result.variables.push_back(variable);
       break;
     case StorageClass::Uniform:
-      if (std::find(split.begin(), split.end(), &variable) == split.end()) {
-        result.variables.push_back(pick(variable, part.faces));
-      } else {
-        result.variables.push_back(pick(variable, std::span(part.faces).first(1)));
-        result.variables.back().declaration->storage = StorageClass::Constant;
-      }
+      result.variables.push_back(isAmong(split, variable) ? commonValue(variable, faces)
+                                                          : pick(variable, faces));
       break;
     case StorageClass::Varying:
     case StorageClass::Vertex:
@@ -73,12 +138,40 @@ Shape shapeOf(Part &part, const Shape &whole, const std::vector<const Parameter 
   return result;
 }
 
+std::vector<Shape> partsOf(const PolygonShape &polygons, const Shape &whole,
+                           const std::vector<const Parameter *> &split, const FaceGroups &groups) {
+  std::vector<Part> parts(groups.faces.size());
+  std::vector<std::map<uint32_t, uint32_t>> numbers(parts.size()); // of the points in each part
+  uint32_t loop = 0, corner = 0;
+  for (uint32_t face = 0; face < polygons.loopCounts.size(); ++face) {
+    uint32_t number = groups.ofFace[face];
+    Part &part = parts[number];
+    part.geometry.loopCounts.push_back(polygons.loopCounts[face]);
+    for (uint32_t i = 0; i < polygons.loopCounts[face]; ++i, ++loop) {
+      part.geometry.vertexCounts.push_back(polygons.vertexCounts[loop]);
+      for (uint32_t k = 0; k < polygons.vertexCounts[loop]; ++k, ++corner) {
+        part.corners.push_back(corner);
+        uint32_t point = polygons.vertices[corner];
+        auto [entry, isNew] = numbers[number].try_emplace(point, uint32_t(part.points.size()));
+        if (isNew)
+          part.points.push_back(point);
+        part.geometry.vertices.push_back(entry->second);
+      }
+    }
+  }
+  std::vector<Shape> result;
+  for (uint32_t i = 0; i < parts.size(); ++i)
+    result.push_back(shapeOf(parts[i], groups.faces[i], whole, split));
+  return result;
+}
+
 } // namespace
 
 std::vector<Shape> anysl::render::splitByFaceValues(Shape &shape,
                                                     std::span<const Shader *const> shaders) {
-  auto *polygons = std::get_if<PolygonShape>(&shape.geometry);
-  if (!polygons || polygons->loopCounts.size() < 2)
+  uint32_t faces =
+      std::visit([](const auto &geometry) { return faceCount(geometry); }, shape.geometry);
+  if (faces < 2)
     return {};
   std::vector<const Parameter *> split;
   for (const Parameter &variable : shape.variables)
@@ -88,42 +181,10 @@ std::vector<Shape> anysl::render::splitByFaceValues(Shape &shape,
       split.push_back(&variable);
   if (split.empty())
     return {};
-
-  using Values = std::pair<std::vector<double>, std::vector<std::string>>;
-  std::map<Values, size_t> partOf;
-  std::vector<Part> parts;
-  std::vector<std::map<uint32_t, uint32_t>> numbers; // of the points in each part
-  uint32_t loop = 0, corner = 0;
-  for (uint32_t face = 0; face < polygons->loopCounts.size(); ++face) {
-    Values values;
-    for (const Parameter *variable : split) {
-      Parameter value = pick(*variable, std::span(&face, 1));
-      values.first.insert(values.first.end(), value.numbers.begin(), value.numbers.end());
-      values.second.insert(values.second.end(), value.strings.begin(), value.strings.end());
-    }
-    size_t number = partOf.try_emplace(std::move(values), parts.size()).first->second;
-    if (number == parts.size()) {
-      parts.emplace_back();
-      numbers.emplace_back();
-    }
-    Part &part = parts[number];
-    part.faces.push_back(face);
-    part.geometry.loopCounts.push_back(polygons->loopCounts[face]);
-    for (uint32_t i = 0; i < polygons->loopCounts[face]; ++i, ++loop) {
-      part.geometry.vertexCounts.push_back(polygons->vertexCounts[loop]);
-      for (uint32_t k = 0; k < polygons->vertexCounts[loop]; ++k, ++corner) {
-        part.corners.push_back(corner);
-        uint32_t point = polygons->vertices[corner];
-        auto [entry, isNew] = numbers[number].try_emplace(point, uint32_t(part.points.size()));
-        if (isNew)
-          part.points.push_back(point);
-        part.geometry.vertices.push_back(entry->second);
-      }
-    }
-  }
-  std::vector<Shape> result;
-  for (Part &part : parts)
-    result.push_back(shapeOf(part, shape, split));
+  FaceGroups groups(faces, split);
+  std::vector<Shape> result =
+      std::visit([&](const auto &geometry) { return partsOf(geometry, shape, split, groups); },
+                 shape.geometry);
   shape = std::move(result.front());
   result.erase(result.begin());
   return result;

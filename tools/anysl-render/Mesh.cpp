@@ -114,6 +114,24 @@ SurfaceFrame Mesh::planarFrameAt(uint32_t triangle) const {
   return frame;
 }
 
+void Mesh::dropUnusedPoints() {
+  std::vector<bool> isUsed(points.size());
+  for (const std::array<uint32_t, 3> &triangle : triangles)
+    for (uint32_t point : triangle)
+      isUsed[point] = true;
+  std::vector<uint32_t> place(points.size());
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    place[i] = kept;
+    points[kept] = points[i];
+    kept += isUsed[i];
+  }
+  points.resize(kept);
+  for (std::array<uint32_t, 3> &triangle : triangles)
+    for (uint32_t &point : triangle)
+      point = place[point];
+}
+
 double Mesh::tangents(uint32_t triangle, Vec3d &byU, Vec3d &byV) const {
   const auto &corner = triangles[triangle];
   Vec3d p0(points[corner[0]]), p1(points[corner[1]]), p2(points[corner[2]]);

@@ -32,6 +32,9 @@ public:
   /// Adds a triangle of points that are at the same time its corners.
   void addTriangle(uint32_t a, uint32_t b, uint32_t c) { triangles.push_back({a, b, c}); }
 
+  /// Keeps the points of triangles alone.
+  void dropUnusedPoints();
+
   /// dPdu and dPdv of a triangle, as its corners' places and parameters have them, and how much it
   /// weighs among others; 0 where its parameters tell nothing.
   double tangents(uint32_t triangle, Vec3d &byU, Vec3d &byV) const;

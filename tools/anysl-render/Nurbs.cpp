@@ -52,7 +52,7 @@ public:
 class NurbsGrid : public PatchGrid {
 public:
   NurbsGrid(const NurbsShape &shape, ControlPoints points)
-      : PatchGrid(shape.u.segments(), shape.v.segments(), false, false), shape(shape),
+      : PatchGrid(shape.u.segments(), shape.v.segments(), false, false, shape.drawn), shape(shape),
         points(std::move(points)) {}
 
   bool isEmpty(uint32_t column, uint32_t row) const override {

@@ -37,7 +37,7 @@ class PatchMesh : public PatchGrid {
 public:
   PatchMesh(const PatchShape &shape, ControlPoints points)
       : PatchGrid(shape.u.segments(shape.cubic), shape.v.segments(shape.cubic), shape.u.wraps,
-                  shape.v.wraps),
+                  shape.v.wraps, shape.drawn),
         shape(shape), points(std::move(points)) {}
 
   SurfaceFrame evaluate(uint32_t column, uint32_t row, double x, double y) const override {

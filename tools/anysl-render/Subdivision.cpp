@@ -277,11 +277,14 @@ void SubdivisionDicer::addQuad(const Quad &quad) {
     count[side] = pieces(quad, side) / (isHalfEdge(quad, side) ? 2 : 1);
   uint32_t nx = std::max(count[0], count[2]), ny = std::max(count[1], count[3]);
   uint32_t firstCorner = uint32_t(mesh->parameters.size());
+  bool isDrawn = shape.drawn.contain(quad.face);
   std::vector<uint32_t> pointOf;
   for (uint32_t j = 0; j <= ny; ++j)
     for (uint32_t i = 0; i <= nx; ++i) {
       Place at{double(i) / nx, double(j) / ny};
       uint32_t side = j == 0 ? 0 : j == ny ? 2 : i == nx ? 1 : i == 0 ? 3 : sides;
+      if (side == sides && !isDrawn) // only what other faces may share
+        continue;
       uint32_t point = uint32_t(mesh->points.size());
       if (side < sides) {
         uint32_t along = side % 2 ? j : i, lines = side % 2 ? ny : nx, n = count[side];
@@ -292,6 +295,8 @@ void SubdivisionDicer::addQuad(const Quad &quad) {
       SurfaceFrame frame = evaluate(quad, at);
       if (point == mesh->points.size())
         mesh->points.push_back(Vec3f(frame.P));
+      if (!isDrawn)
+        continue;
       pointOf.push_back(point);
       Vec3d n = normal(quad, frame, at);
       mesh->parameters.push_back({float(at.x), float(at.y)});
@@ -309,7 +314,7 @@ void SubdivisionDicer::addQuad(const Quad &quad) {
     mesh->corners.push_back({firstCorner + a, firstCorner + b, firstCorner + c});
     mesh->faces.push_back(quad.face);
   };
-  for (uint32_t j = 0; j < ny; ++j)
+  for (uint32_t j = 0; j < ny && isDrawn; ++j)
     for (uint32_t i = 0; i < nx; ++i) {
       uint32_t corner = j * (nx + 1) + i, above = corner + nx + 1;
       add(corner, corner + 1, above + 1);
@@ -351,6 +356,7 @@ std::unique_ptr<Mesh> SubdivisionDicer::run(const Dicing &dicing) {
   mesh->normals.components = 3;
   for (const Quad &quad : quads)
     addQuad(quad);
+  mesh->dropUnusedPoints();
   std::vector<Variable> values;
   for (Source &source : sources) {
     if (source.storage == StorageClass::Constant || source.storage == StorageClass::Uniform) {
