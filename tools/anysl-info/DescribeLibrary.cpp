@@ -9,6 +9,7 @@
 #include "tools/anysl-info/Description.h"
 #include "llvm/ADT/StringExtras.h"
 #include <anysl/anysl.h>
+#include <array>
 #include <memory>
 
 using namespace llvm;
@@ -29,7 +30,8 @@ std::vector<std::string> bitNames(uint32_t mask, ArrayRef<StringRef> table) {
   std::vector<std::string> names;
   for (unsigned bit = 0; bit < 32; ++bit)
     if (mask >> bit & 1)
-      names.push_back(bit < table.size() ? table[bit].str() : std::to_string(bit));
+      names.push_back(bit < table.size() && !table[bit].empty() ? table[bit].str()
+                                                                : std::to_string(bit));
   return names;
 }
 
@@ -37,10 +39,13 @@ const StringRef serviceNames[] = {
 #define STC_SERVICE(id, name, doc) #name,
 #include "lib/STC/Services.def"
 };
-const StringRef effectNames[] = {
-#define STC_EFFECT(id, name, doc) #name,
+/// By their identifiers, between which there are gaps.
+const std::array<StringRef, 32> effectNames = [] {
+  std::array<StringRef, 32> names;
+#define STC_EFFECT(id, name, doc) names[id] = #name;
 #include "lib/STC/Effects.def"
-};
+  return names;
+}();
 
 std::optional<Default> readDefault(const AnyslInstance *instance, const AnyslParamInfo &param) {
   if (!instance)

@@ -166,7 +166,8 @@ public:
 private:
   const ShaderTarget &changed(bool specialise, const std::string &withoutEffect) {
     target.specialise = specialise;
-    target.withoutEffect = withoutEffect;
+    if (!withoutEffect.empty())
+      target.withoutEffects.push_back(withoutEffect);
     return target;
   }
 

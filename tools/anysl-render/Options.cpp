@@ -33,6 +33,8 @@ Renders a RIB scene whose shaders are compiled by AnySL.
   --cache-size MB   how large that folder may grow (default: 1024); what was not used for longest
                     goes first
   --no-specialise   link shaders for any scene, with effects that this one does not call for
+  --without-effect NAME
+                    leave an effect out of all shaders, as anysl-link does; may be repeated
   --keep-going      leave out what is missing or wrong in the scene, with a warning
   --watch           render again whenever the scene, a shader or a picture changes
   --accuracy-report FOLDER
@@ -127,6 +129,8 @@ Options anysl::render::parseOptions(int count, char **arguments) {
       options.accuracyReport = take();
     else if (option == "--effects")
       options.effectsReport = take();
+    else if (option == "--without-effect")
+      options.target.withoutEffects.push_back(take());
     else if (option == "--record")
       options.recordFile = take();
     else if (option == "--stats-json")

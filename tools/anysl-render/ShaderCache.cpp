@@ -273,8 +273,8 @@ void ShaderCache::link(const Source &source, const ShaderVariant &variant, const
     command.push_back("--tangents");
   if (target.maxLoop)
     command.insert(command.end(), {"--max-loop", std::to_string(target.maxLoop)});
-  if (!target.withoutEffect.empty())
-    command.insert(command.end(), {"--without-effect", target.withoutEffect});
+  for (const std::string &effect : target.withoutEffects)
+    command.insert(command.end(), {"--without-effect", effect});
   command.insert(command.end(), more.begin(), more.end());
   TemporaryFile manifest{output.string() + ".json"};
   if (!variant.manifest.empty()) {
@@ -291,9 +291,10 @@ fs::path ShaderCache::library(const std::string &name, const Location &where,
   if (source.file.extension() == ".so")
     return source.file;
   ContentHash key = source.key;
-  for (const std::string &word :
-       {target.runtime, target.real, target.math, target.withoutEffect, variant.manifest})
+  for (const std::string &word : {target.runtime, target.real, target.math, variant.manifest})
     key.add(word);
+  for (const std::string &effect : target.withoutEffects)
+    key.add(effect);
   for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop,
                           unsigned(variant.rayDerivatives), unsigned(variant.tangents)})
     key.addNumber(number);
@@ -307,9 +308,11 @@ demand::Json ShaderCache::report(const std::string &name, const Location &where,
                                  const ShaderVariant &variant) const {
   Source source = lookUp(name, where);
   ContentHash key = source.key;
-  for (const std::string &word : {target.runtime, target.real, target.math, target.withoutEffect,
-                                  variant.manifest, variant.withPlaces})
+  for (const std::string &word :
+       {target.runtime, target.real, target.math, variant.manifest, variant.withPlaces})
     key.add(word);
+  for (const std::string &effect : target.withoutEffects)
+    key.add(effect);
   key.addNumber(variant.rayDerivatives);
   key.addNumber(variant.tangents);
   fs::path file = make(source, key.text() + ".report.json", [&](const fs::path &path) {

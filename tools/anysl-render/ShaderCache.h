@@ -25,10 +25,11 @@ struct ShaderTarget {
   std::string runtime = "packet", real = "float";
   std::string math; ///< empty: the linker's default
   unsigned width = 8;
-  bool checkNaN = false;     ///< they note where a number stops being finite
-  unsigned maxLoop = 0;      ///< rounds after which loops are left; 0: no limit
-  bool specialise = true;    ///< they are linked for the scene; false: for any
-  std::string withoutEffect; ///< to be left out all the same; empty: none
+  bool checkNaN = false;  ///< they note where a number stops being finite
+  unsigned maxLoop = 0;   ///< rounds after which loops are left; 0: no limit
+  bool specialise = true; ///< they are linked for the scene; false: for any
+  /// Effects to be left out all the same, as anysl-link --without-effect takes them.
+  std::vector<std::string> withoutEffects;
 };
 
 /// What a shader is linked for besides the target.
