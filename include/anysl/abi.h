@@ -112,8 +112,8 @@ typedef struct AnyslLight {
   float cos_inner;    /**< spot: full light where it is above this */
   float beam;         /**< spot: exponent of the cosine */
   const char *category; /**< the categories that it belongs to, comma-separated; null: none */
-  const void
-      *shader; /**< shader: whose results these are, for libanysl a `const AnyslInstance *` */
+  const void *shader; /**< shader: whose results these are, for libanysl a `const AnyslInstance *`;
+                         standard: null, or its AnyslStandardLight, for values that are sent to it */
   const char
       *handle; /**< what getlights() calls it, a name that call_method knows; null: left out */
 } AnyslLight;

@@ -340,13 +340,16 @@ typedef struct AnyslStandardLight {
   float from[3], to[3];
   float cone_angle, cone_delta_angle; /**< radians */
   float beam_distribution;
+  float share; /**< what its light is multiplied by besides: 1, of an area light its part */
 } AnyslStandardLight;
 
 /** "distantlight" with no parameter set, and so on: intensity and color 1, from the origin towards
    +z, 30 and 5 degrees, beam 2. */
 ANYSL_API void anysl_standard_light_defaults(AnyslStandardLight *values);
-/** Makes a light of a standard kind: to the last bit what examples/shaders/distantlight.sl,
-   pointlight.sl and spotlight.sl compute. `from` and `to` must differ, but for a point light. */
+/** Makes a light of a standard kind, whose `shader` is null; a renderer that sets it to \p values,
+   which must then live as long, lets surfaces ask for all of them and send others. The light is to
+   the last bit what examples/shaders/distantlight.sl, pointlight.sl and spotlight.sl compute.
+   `from` and `to` must differ, but for a point light. */
 ANYSL_API AnyslStatus anysl_light_standard(uint32_t kind, const AnyslStandardLight *values,
                                            AnyslLight *light);
 

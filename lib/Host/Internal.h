@@ -61,7 +61,12 @@ using LibraryRef = std::shared_ptr<const LoadedLibrary>;
 void completeLightServices(AnyslServices &services);
 
 /// Answers a question about a light of a standard kind (LightShaders.cpp).
-int standardLightValue(const AnyslLight &light, const AnyslQuery &query, AnyslCell *value);
+int standardLightValue(const AnyslLight &light, const AnyslQuery &query, AnyslCell *value,
+                       const AnyslMessage *sent = nullptr);
+/// What a light of a standard kind gives where values are sent to it: L, Cl and Ol. Where it does
+/// not shine, the result stays as it is.
+void sampleStandardSent(const AnyslLight &light, const double *P, const AnyslMessage &sent,
+                        double *result);
 
 /// Whether everything the descriptor says can be relied upon; fails with a message if not.
 AnyslStatus checkDescriptor(const LoadedLibrary &library);

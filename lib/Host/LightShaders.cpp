@@ -194,6 +194,8 @@ void serveLightSent(void *, const AnyslShadeArgs *args, uint32_t point, uint32_t
                     const double *P, const double *N, const AnyslMessage *sent, double *result) {
   for (uint32_t i = 0; i < resultCount; ++i)
     result[i] = i < 6 ? 0 : 1;
+  if (light < args->light_count && args->lights[light].kind != ANYSL_LIGHT_SHADER)
+    return sampleStandardSent(args->lights[light], P, *sent, result);
   if (!isShader(*args, light))
     return;
   guarded([&] {
@@ -209,7 +211,7 @@ int serveLightValue(void *, const AnyslShadeArgs *args, uint32_t point, uint32_t
                     const double *P, const double *N, const AnyslMessage *sent,
                     const AnyslQuery *query, AnyslCell *value) {
   if (light < args->light_count && args->lights[light].kind != ANYSL_LIGHT_SHADER)
-    return standardLightValue(args->lights[light], *query, value);
+    return standardLightValue(args->lights[light], *query, value, sent);
   if (!isShader(*args, light))
     return 0;
   const auto &instance = *static_cast<const AnyslInstance *>(args->lights[light].shader);
@@ -234,29 +236,6 @@ int serveLightValue(void *, const AnyslShadeArgs *args, uint32_t point, uint32_t
 }
 
 } // namespace
-
-int anysl::host::standardLightValue(const AnyslLight &light, const AnyslQuery &query,
-                                    AnyslCell *value) {
-  std::string_view name = query.name;
-  uint32_t flag = name == "__nondiffuse"    ? ANYSL_LIGHT_NONDIFFUSE
-                  : name == "__nonspecular" ? ANYSL_LIGHT_NONSPECULAR
-                                            : 0;
-  AnyslCell cells[3] = {};
-  uint32_t type = ANYSL_FLOAT;
-  if (flag) {
-    cells[0].number = (light.flags & flag) != 0;
-  } else if (name == "__category") {
-    type = ANYSL_STRING;
-    cells[0].string = light.category ? light.category : "";
-  } else if (name == "from" && light.kind != ANYSL_LIGHT_DISTANT) {
-    type = ANYSL_POINT;
-    for (int c = 0; c < 3; ++c)
-      cells[c].number = double(light.from[c]);
-  } else {
-    return 0;
-  }
-  return anysl_answer(&query, type, 0, cells, value);
-}
 
 void anysl::host::completeLightServices(AnyslServices &services) {
   // All or none: they answer for the same lights.

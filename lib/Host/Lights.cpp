@@ -90,7 +90,7 @@ AnyslStatus makeStandard(uint32_t kind, const AnyslStandardLight &values, AnyslL
   light = {};
   light.kind = kind;
   for (int k = 0; k < 3; ++k) {
-    light.color[k] = values.intensity * values.color[k];
+    light.color[k] = values.intensity * values.color[k] * values.share;
     light.from[k] = values.from[k];
     light.direction[k] = length > 0 ? axis[k] / length : 0;
   }
@@ -125,7 +125,7 @@ AnyslStatus anysl_light_from_instance(const AnyslInstance *instance, AnyslLight 
 
 void anysl_standard_light_defaults(AnyslStandardLight *values) {
   constexpr float degree = float(3.14159265358979323846 / 180);
-  *values = {1, {1, 1, 1}, {0, 0, 0}, {0, 0, 1}, 30 * degree, 5 * degree, 2};
+  *values = {1, {1, 1, 1}, {0, 0, 0}, {0, 0, 1}, 30 * degree, 5 * degree, 2, 1};
 }
 
 AnyslStatus anysl_light_standard(uint32_t kind, const AnyslStandardLight *values,

@@ -181,6 +181,10 @@ void Lights::addStandard(const std::vector<std::string> &parts) {
   if (anysl_light_standard(text.number, &aimed, &light))
     fail("the direction of --light " + text.kind + " is zero");
   std::copy_n(values.from, 3, light.from);
+  AnyslStandardLight &kept = standards.emplace_back(values);
+  for (size_t c = 0; c < d.size(); ++c)
+    kept.to[c] = values.from[c] + float(d[c]);
+  light.shader = &kept;
   light.flags = text.flags;
   if (!text.category.empty())
     light.category = categories.emplace_back(text.category).c_str();

@@ -40,7 +40,8 @@ private:
   std::vector<AnyslLight> lights;
   float ambient[3] = {0, 0, 0};
   std::list<std::string> categories, handles;
-  std::list<Environment> environments; ///< of each light shader: with a space of its own
+  std::list<AnyslStandardLight> standards; ///< what lights of standard kinds are made of
+  std::list<Environment> environments;     ///< of each light shader: with a space of its own
   std::vector<LibraryHandle> libraries;
   std::vector<InstanceHandle> instances;
 };

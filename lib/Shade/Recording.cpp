@@ -362,6 +362,7 @@ void Recorder::begin(Part &part, const AnyslInstance &instance, const AnyslShade
     RecordedShader::Light &kept = shader.lights.emplace_back();
     kept.values = light;
     kept.values.category = nullptr;
+    kept.values.shader = nullptr;
     kept.category = light.category ? light.category : "";
   }
   uint64_t globals = info.globals_read | info.globals_written;

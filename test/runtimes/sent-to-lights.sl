@@ -4,14 +4,15 @@
 // RUN: anysl-link %t.told.bc -o %t.packet.told.so --width 1,4,8,16
 // RUN: anysl-link %t.told.bc -o %t.scalar.told.so --width 1 --runtime scalar --real double
 // DEFINE: %{lamps} = --light %t.a.so:told:handle=lamp --light %t.b.so:deaf --light pointlight:from=0,0,2:category=standard \
-// DEFINE:   --light %t.a.so:told:level=7:__category=warm,other
+// DEFINE:   --light %t.a.so:told:level=7:__category=warm,other \
+// DEFINE:   --light spotlight:from=0,0,2:to=0,0,0:coneangle=1:conedeltaangle=0.5:category=spot --light distant:direction=0,0,-1:category=sun
 // RUN: cp %t.packet.told.so %t.a.so && cp %t.scalar.told.so %t.b.so
 // RUN: %shade_everywhere %s %t %{lamps}
 // RUN: cp %t.scalar.told.so %t.a.so && cp %t.packet.told.so %t.b.so
 // RUN: %shade_everywhere --linked %s %t %{lamps}
 // ARGS: --grid 19x2 --ramp P=0,0,0:1,0,0:x --set N=0,0,1
 // EXPECT wrong: 0
-// EXPECT names: 4
+// EXPECT names: 6
 
 float differ(color a, b) {
   color d = a - b;
@@ -57,21 +58,34 @@ surface telling(output varying float wrong = 0, names = 0;) {
       lightsource("heard", heard);
       wrong += 1e6 * (differ(sum, (3 + x) * color(1, 2, 3)) + differ(heard, 202) + differ(Cl, color(2, 4, 6)));
     }
-  // Lights without such a parameter, and those of the standard kinds, are as ever.
+  // Lights without such a parameter are as ever; those of the standard kinds have the standard's.
   sum = 0;
-  illuminance ("deaf,standard", P, N, PI / 2, "send:light:level", 9, "send:light:intensity", 9)
+  illuminance ("deaf,standard", P, N, PI / 2, "send:light:level", 9, "send:light:intensity", 9 + x, "light:intensity", heard)
     sum += Cl;
-  wrong += 1e7 * differ(sum, 1 + 1 / (x * x + 4));
+  wrong += 1e7 * differ(sum, 1 + (9 + x) / (x * x + 4));
+  illuminance ("standard", P, N, PI / 2, "send:light:lightcolor", color(1, 2, 3), "send:light:from", P + vector (0, 0, 4),
+               "light:lightcolor", sum, "light:intensity", heard)
+    wrong += 1e7 * (differ(Cl, color(1, 2, 3) / 16) + differ(L, vector (0, 0, 4)) + differ(sum, color(1, 2, 3)) + differ(heard, 1));
+  float square = x * x + 4, narrow = 0;
+  illuminance ("spot", P, N, PI / 2, "send:light:beamdistribution", 3, "send:light:intensity", 8)
+    wrong += 1e7 * differ(Cl, 8 * pow(2 / sqrt(square), 3) / square);
+  illuminance ("spot", P, N, PI / 2, "send:light:coneangle", 0.2, "send:light:conedeltaangle", 0, "send:light:beamdistribution", 0) {
+    wrong += 1e7 * differ(Cl, 1 / square);
+    narrow = 1;
+  }
+  wrong += narrow == (x < 2 * tan(0.2)) ? 0 : 1e7;
+  illuminance ("sun", P, N, PI / 2, "send:light:to", vector (0, x, -2), "send:light:from", 0, "send:light:coneangle", 0)
+    wrong += 1e7 * (differ(L, normalize(vector (0, -x, 2))) + differ(Cl, 1));
   wrong += 1e8 * differ(plain(), color(1, 2, 3));
 
   // Lights have handles, which are those of other shaders.
   shader all[] = getlights(), warm[] = getlights("category", "warm"), none[] = getlights("category", "nobody"),
          rest[] = getlights("category", "-told,warm");
   names = arraylength(all);
-  wrong += 1e9 * (differ(arraylength(warm), 1) + differ(arraylength(none), 0) + differ(arraylength(rest), 2));
+  wrong += 1e9 * (differ(arraylength(warm), 1) + differ(arraylength(none), 0) + differ(arraylength(rest), 4));
   float level = 0, got = getvar(warm[0], "level", level);
   string category = "";
   got += 10 * getvar(all[2], "__category", category) + 100 * getvar(all[1], "level", level);
   wrong += 1e10 * (differ(got, 11) + differ(level, 7)) + (category != "standard" ? 1e10 : 0);
-  wrong += all[0] == getshader("lamp") && rest[0] == getshader("light1") && getshader("light4") == null ? 0 : 1e11;
+  wrong += all[0] == getshader("lamp") && rest[0] == getshader("light1") && getshader("light6") == null ? 0 : 1e11;
 }

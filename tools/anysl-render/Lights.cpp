@@ -163,6 +163,22 @@ void SceneLights::addShader(const LightUse &use, const Shader &shader, LightSet 
   set.hasShaders = true;
 }
 
+/// A standard light as one of its samples has it: there, as bright as it is large.
+static AnyslStandardLight moved(AnyslStandardLight values, const AreaSample &sample, double area) {
+  for (int k = 0; k < 3; ++k) {
+    float from = values.from[k];
+    values.from[k] = float(sample.P[k]);
+    values.to[k] += values.from[k] - from;
+  }
+  values.share = float(sample.area / area);
+  return values;
+}
+
+void SceneLights::keepValues(AnyslLight &light, AnyslStandardLight values, LightSet &set) {
+  set.standards.push_back(std::make_shared<const AnyslStandardLight>(values));
+  light.shader = set.standards.back().get();
+}
+
 void SceneLights::spread(const LightUse &use, const AnyslLight &light, LightSet &set) const {
   std::vector<AreaSample> samples;
   double area = 0;
@@ -173,6 +189,10 @@ void SceneLights::spread(const LightUse &use, const AnyslLight &light, LightSet 
       area += sample.area;
     }
   }
+  bool isShader = light.kind == ANYSL_LIGHT_SHADER;
+  AnyslStandardLight values = {};
+  if (!isShader)
+    values = *static_cast<const AnyslStandardLight *>(light.shader);
   if (samples.empty())
     set.lights.push_back(light);
   for (const AreaSample &sample : samples) {
@@ -180,8 +200,10 @@ void SceneLights::spread(const LightUse &use, const AnyslLight &light, LightSet 
     if (&sample != samples.data())
       part.handle = nullptr; // one light, whatever it is sampled by
     store(part.from, sample.P);
-    if (light.kind == ANYSL_LIGHT_SHADER)
+    if (isShader)
       store(part.direction, sample.N);
+    else
+      keepValues(part, moved(values, sample, area), set);
     for (float &channel : part.color)
       channel *= float(sample.area / area);
   }
@@ -213,6 +235,16 @@ void SceneLights::addStandard(const LightUse &use, LightSet &set, Warnings &warn
   light.cos_inner = float(std::cos(std::max(0.0, values.coneAngle - values.coneDeltaAngle)));
   light.beam = float(values.beamDistribution);
   light.handle = use.handle.c_str();
+  AnyslStandardLight kept;
+  anysl_standard_light_defaults(&kept);
+  kept.intensity = float(values.intensity);
+  store(kept.color, values.color);
+  store(kept.from, from);
+  store(kept.to, to);
+  kept.cone_angle = float(values.coneAngle);
+  kept.cone_delta_angle = float(values.coneDeltaAngle);
+  kept.beam_distribution = float(values.beamDistribution);
+  keepValues(light, kept, set);
   spread(use, light, set);
 }
 

@@ -10,11 +10,15 @@
 
 #include "tools/anysl-render/Shaders.h"
 
+#include <memory>
+
 namespace anysl::render {
 
 /// The lights that shine on a surface, as its shader gets them.
 struct LightSet {
   std::vector<AnyslLight> lights;
+  /// What those of standard kinds are made of.
+  std::vector<std::shared_ptr<const AnyslStandardLight>> standards;
   float ambient[3] = {};
   bool hasShaders = false; ///< whether one of the lights is a light shader
   uint64_t globals = 0;    ///< what those read of the surface
@@ -48,6 +52,7 @@ private:
   void addStandard(const LightUse &use, LightSet &set, Warnings &warnings) const;
   /// The light, or as many as its shapes have samples.
   void spread(const LightUse &use, const AnyslLight &light, LightSet &set) const;
+  static void keepValues(AnyslLight &light, AnyslStandardLight values, LightSet &set);
 
   const SceneDescription &scene;
   std::vector<std::unique_ptr<ShaderUse>> useOf; ///< by light; null: no light shader

@@ -213,7 +213,7 @@ bool anysl_light_sample_sent(anysl_context *context, int32_t index, const anysl_
                              anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
   using namespace anysl;
   const AnyslLight &light = context->args->lights[index];
-  if (light.kind != ANYSL_LIGHT_SHADER || light.flags & ANYSL_LIGHT_AMBIENT)
+  if (!light.shader || light.flags & ANYSL_LIGHT_AMBIENT)
     return anysl_light_sample(context, index, P, N, L, Cl, Ol);
   double result[9];
   askLightSent(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
@@ -223,7 +223,8 @@ bool anysl_light_sample_sent(anysl_context *context, int32_t index, const anysl_
   *L = {anysl_float(result[0]), anysl_float(result[1]), anysl_float(result[2])};
   *Cl = {anysl_float(result[3]), anysl_float(result[4]), anysl_float(result[5])};
   *Ol = {anysl_float(result[6]), anysl_float(result[7]), anysl_float(result[8])};
-  *Cl = *Cl * colorFrom(light.color);
+  if (light.kind == ANYSL_LIGHT_SHADER)
+    *Cl = *Cl * colorFrom(light.color);
   return arrives(*L);
 }
 
