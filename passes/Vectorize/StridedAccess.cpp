@@ -123,6 +123,9 @@ std::optional<Access> accessOf(Instruction &instruction, const DataLayout &layou
     access.mask = nullptr;
   access.align = Align(cast<ConstantInt>(call->getArgOperand(at + 1))->getZExtValue());
   access.stride = *stride * int64_t(layout.getTypeAllocSize(pointers->getSourceElementType()));
+  // What is known of active lanes' addresses holds for lane 0's as far as the stride keeps it.
+  if (access.mask)
+    access.align = commonAlignment(access.align, std::abs(access.stride));
   int64_t size = layout.getTypeStoreSize(element);
   if (access.stride % size || access.stride / size < 2 || access.stride / size > 4)
     return std::nullopt;

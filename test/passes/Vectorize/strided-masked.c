@@ -50,7 +50,7 @@
 #define ALL(name) WIDE(b, 4, name) WIDE(d, 8, name) WIDE(e, 16, name)
 
 ALL(turn2)
-ALL(turn3) ALL(turn4) ALL(part) ALL(doubles)
+ALL(turn3) ALL(turn4) ALL(part) ALL(doubles) ALL(aligned)
 
     typedef void Kernel(const float *, float *, const int *, int);
 
@@ -131,6 +131,32 @@ void doubles(const float *in, float *out, const int *on, int i) {
   }
 }
 
+/// Addresses of active lanes are aligned, that of an idle first lane need not be.
+#pragma omp declare simd notinbranch uniform(in, out, on) linear(i : 1)
+void aligned(const float *in, float *out, const int *on, int i) {
+  if (on[i]) {
+    const float *record = __builtin_assume_aligned(in + 3 * i, 64);
+    out[i] = record[0] + record[1] * record[2];
+  }
+}
+static int differsAligned(void) {
+  static _Alignas(64) float in[3 * lanes], out[3][lanes], scalar[lanes];
+  static int on[lanes];
+  for (int k = 0; k < 3 * lanes; ++k)
+    in[k] = (float)k;
+  on[16] = 1;
+  aligned(in, scalar, on, 16);
+  alignedb(in, out[0], on, 13);
+  alignedd(in, out[1], on, 9);
+  alignede(in, out[2], on, 1);
+  for (int k = 0; k < 3; ++k)
+    if (out[k][16] != scalar[16]) {
+      printf("aligned: %g instead of %g\n", out[k][16], scalar[16]);
+      return 1;
+    }
+  return 0;
+}
+
 #define TRY(name, floats)                                                                          \
   for (int first = 0; first <= lanes; ++first)                                                     \
     for (unsigned pattern = 0; pattern < sizeof patterns / sizeof *patterns; ++pattern)            \
@@ -140,6 +166,6 @@ void doubles(const float *in, float *out, const int *on, int i) {
 
 int main(void) {
   static const unsigned patterns[] = {~0u, 0u, 0x55555555u, 0x80010180u, 0xfffefff7u, 0x2468ace1u};
-  int bad = 0;
+  int bad = differsAligned();
   TRY(turn2, 2) TRY(turn3, 3) TRY(turn4, 4) TRY(part, 4) TRY(doubles, 6) return bad;
 }
