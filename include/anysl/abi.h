@@ -85,10 +85,9 @@ typedef union AnyslCell {
 } AnyslCell;
 
 typedef enum AnyslLightKind {
-  ANYSL_LIGHT_DISTANT = 1,
-  ANYSL_LIGHT_POINT,
-  ANYSL_LIGHT_SPOT,
-  ANYSL_LIGHT_SHADER /**< what a light shader computes, asked for by the service `light` */
+#define ANYSL_STANDARD_LIGHT(id, name, word, source, absence) ANYSL_LIGHT_##name = id,
+#include <anysl/LightKinds.def>
+  ANYSL_LIGHT_SHADER = 4 /**< what a light shader computes, asked for by the service `light` */
 } AnyslLightKind;
 
 enum {

@@ -16,7 +16,8 @@
  *     if (anysl_library_allows(library, &facts))      // ANYSL_ERROR_STATE, and anysl_last_error()
  *       ...                                           // use the general library instead
  *
- * anysl_library_open_for() does both.
+ * anysl_library_open_for() does both. Where lights are linked in, they have to be the scene's: in
+ * number, in kind, and in what else is constant of them (AnyslSceneFacts::lights).
  *
  *===--------------------------------------------------------------------------------------------===*/
 
@@ -39,6 +40,25 @@ typedef enum AnyslAssumption {
 /** The symbol of such a library's AnyslDemandInfo. */
 #define ANYSL_DEMAND_SYMBOL "anysl_demand"
 
+/** How many lights may be linked into shaders; with more, shaders go through them in a loop. */
+#define ANYSL_MOST_LINKED_LIGHTS 8
+
+/** The bits of AnyslLinkedLight::known. */
+enum {
+  ANYSL_KNOWN_COLOR = 1,
+  ANYSL_KNOWN_FROM = 2,
+  ANYSL_KNOWN_DIRECTION = 4,
+  ANYSL_KNOWN_CONE = 8, /**< cos_outer and cos_inner */
+  ANYSL_KNOWN_BEAM = 16
+};
+
+/** A light that is linked into shaders: its kind, and of its other values those that are known. */
+typedef struct AnyslLinkedLight {
+  AnyslLight light;
+  uint32_t known;       /**< bits ANYSL_KNOWN_...; the others are those of the batch's light */
+  uint32_t known_flags; /**< the flags that are known */
+} AnyslLinkedLight;
+
 /** What a shader's source has, of which its scene may not call for all. A host that treats shaders
     by what they can do, such as lights that look for shadows themselves, goes by this. */
 typedef struct AnyslSourceInfo {
@@ -57,6 +77,10 @@ typedef struct AnyslDemandInfo {
                                     parameters, and "Ci" or "Oi" of surfaces */
   double time;                 /**< of all points, where no motion is assumed */
   const AnyslSourceInfo *sources; /**< of each shader of the library */
+  const AnyslLinkedLight *lights; /**< those that shine on all points, in the batch's order; null:
+                                       any may */
+  uint32_t light_count;
+  uint32_t reserved;
 } AnyslDemandInfo;
 
 /** What a renderer's scene has, and wants to see. */
@@ -67,6 +91,8 @@ typedef struct AnyslSceneFacts {
                                    last; null: none. Ci and Oi are wanted as well, unless the list
                                    names one of the two and not the other */
   double time;                /**< of all points, where it has no motion */
+  const AnyslLight *lights;   /**< that shine on all points; asked for where lights are linked in */
+  uint32_t light_count;
 } AnyslSceneFacts;
 
 /** What a library was linked for; null of one that serves every scene. Lives as long as the

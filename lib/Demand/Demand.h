@@ -10,6 +10,8 @@
 
 #include "lib/Rib/SceneDescription.h"
 
+#include <anysl/demand.h>
+
 #include <set>
 #include <span>
 
@@ -30,6 +32,12 @@ struct ShaderDemand {
   bool complete = false;
 };
 
+/// A light that shines on all points that a shader is run for, as far as it is known.
+struct LightDemand {
+  std::string kind; ///< the name of its light source or light shader
+  AnyslLinkedLight values = {};
+};
+
 /// What a scene calls for. What is not said is not known, and kept.
 struct Demand {
   std::map<std::string, ShaderDemand, std::less<>> shaders;
@@ -39,6 +47,9 @@ struct Demand {
   std::optional<std::vector<std::string>> asked;
   /// The kinds of lights that shine: "ambientlight", "distantlight", a light shader's name.
   std::optional<std::vector<std::string>> lights;
+  /// The lights that shine, each of them, in the order in which the renderer has them; ambient ones
+  /// do not count. Nothing: any number of those kinds, or not the same on all points.
+  std::optional<std::vector<LightDemand>> eachLight;
   std::optional<bool> shadows; ///< whether some light casts shadows
   /// Whether shaders that run for points of others (lights, volumes, methods) trace rays there.
   std::optional<bool> othersTrace;
@@ -52,7 +63,22 @@ struct Demand {
 
   /// Bits 1 << ANYSL_ASSUMES_... of what a library for this scene may take for granted.
   uint32_t assumptions() const;
+  /// The lights to be linked in; none if they are not known or there are too many.
+  std::span<const LightDemand> linkedLights() const;
+  /// Makes these the lights that shine, each of them. `ambient`: and ambient ones besides.
+  void setLights(std::vector<LightDemand> each, bool ambient);
 };
+
+/// The AnyslLightKind of a light source of the standard; ANYSL_LIGHT_SHADER of any other, and of
+/// "ambientlight".
+uint32_t standardKind(std::string_view source);
+/// The light source of a standard's AnyslLightKind.
+const char *sourceOf(uint32_t standardKind);
+/// The values that a light of a standard kind has and a manifest can give, bits ANYSL_KNOWN_...:
+/// those that are finite.
+uint32_t finiteFields(const AnyslLight &light);
+/// The standard's ambient lights, which AnyslShadeArgs has as one sum.
+inline constexpr std::string_view ambientLight = "ambientlight";
 
 /// Reads a manifest (docs/effects.md). Throws UserError with the place of what is wrong in it.
 Demand readManifest(const std::shared_ptr<const render::SourceFile> &file);

@@ -6,59 +6,15 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Demand/Demand.h"
-#include "lib/Demand/Json.h"
-
-#include <anysl/demand.h>
+#include "lib/Demand/ManifestLights.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 using namespace anysl::render;
 
 namespace anysl::demand {
 namespace {
-
-void expect(const Json &value, Json::Kind kind, const std::string &key) {
-  if (value.kind != kind)
-    throw UserError(value.where,
-                    "\"" + key + "\" is " + describe(kind) + ", not " + describe(value.kind));
-}
-
-bool readBool(const Json &value, const std::string &key) {
-  expect(value, Json::Bool, key);
-  return value.truth;
-}
-
-std::vector<std::string> readTexts(const Json &value, const std::string &key) {
-  expect(value, Json::Array, key);
-  std::vector<std::string> result;
-  for (const Json &item : value.items) {
-    expect(item, Json::Text, key + "[]");
-    result.push_back(item.text);
-  }
-  return result;
-}
-
-/// Calls the reader of each member; one that has none is refused, with those that there are.
-struct Key {
-  const char *name;
-  std::function<void(const Json &, const std::string &)> read;
-};
-void readMembers(const Json &object, const char *what, std::span<const Key> keys) {
-  for (const Json::Member &member : object.members) {
-    auto key = std::find_if(keys.begin(), keys.end(),
-                            [&](const Key &each) { return each.name == member.key; });
-    if (key == keys.end()) {
-      std::string known;
-      for (const Key &each : keys)
-        known += (known.empty() ? "" : ", ") + std::string(each.name);
-      throw UserError(member.where,
-                      std::string(what) + " has no \"" + member.key + "\"; there are " + known);
-    }
-    key->read(member.value, member.key);
-  }
-}
 
 /// 0.5, [1, 0, 0], "grid.tex", null, or one of these with its origin: {"value": 0.5, "from":
 /// "..."}.
@@ -160,7 +116,8 @@ Demand readManifest(const std::shared_ptr<const SourceFile> &file) {
        }},
       {"outputs", texts(result.outputs)},
       {"asked", texts(result.asked)},
-      {"lights", texts(result.lights)},
+      {"lights",
+       [&](const Json &value, const std::string &key) { readLights(value, key, result); }},
       {"shadows", truth(result.shadows)},
       {"othersTrace", truth(result.othersTrace)},
       {"rayDepth",
@@ -184,6 +141,7 @@ Demand readManifest(const std::shared_ptr<const SourceFile> &file) {
          result.shutter = {value.items[0].number, value.items[1].number};
        }}};
   readMembers(json, "a manifest", keys);
+  addShadows(json, result);
   if (isComplete)
     complete(result);
   return result;
@@ -236,7 +194,12 @@ std::string writeManifest(const Demand &demand, bool places) {
   }
   texts("outputs", demand.outputs);
   texts("asked", demand.asked);
-  texts("lights", demand.lights);
+  if (demand.eachLight) {
+    key("lights");
+    result += writeLights(demand);
+  } else {
+    texts("lights", demand.lights);
+  }
   truth("shadows", demand.shadows);
   truth("othersTrace", demand.othersTrace);
   if (demand.rayDepth) {
@@ -260,33 +223,6 @@ bool Demand::looksAt(std::string_view light) const {
     return outputs && std::find(outputs->begin(), outputs->end(), name) != outputs->end();
   };
   return names(light) || names("Ci") == names("Oi");
-}
-
-uint32_t Demand::assumptions() const {
-  auto bit = [](AnyslAssumption assumption, bool holds) {
-    return holds ? uint32_t(1) << assumption : 0;
-  };
-  bool mayBeAmbient = false, shines = false;
-  for (const std::string &kind : lights ? *lights : std::vector<std::string>()) {
-    bool isStandard = kind == "distantlight" || kind == "pointlight" || kind == "spotlight";
-    mayBeAmbient |= !isStandard;
-    shines |= kind != "ambientlight";
-  }
-  auto lacks = [&](const char *kind) {
-    return lights && std::find(lights->begin(), lights->end(), kind) == lights->end();
-  };
-  return bit(ANYSL_ASSUMES_NO_LIGHTS, lights && !shines) |
-         bit(ANYSL_ASSUMES_NO_DISTANT_LIGHTS, lacks("distantlight")) |
-         bit(ANYSL_ASSUMES_NO_POINT_LIGHTS, lacks("pointlight")) |
-         bit(ANYSL_ASSUMES_NO_SPOT_LIGHTS, lacks("spotlight")) |
-         bit(ANYSL_ASSUMES_NO_AMBIENT, lights && !mayBeAmbient) |
-         bit(ANYSL_ASSUMES_NO_SHADOWS, shadows && !*shadows) |
-         bit(ANYSL_ASSUMES_NO_OTHER_RAYS, othersTrace && !*othersTrace) |
-         bit(ANYSL_ASSUMES_NO_TRACED_RAYS, rayDepth && *rayDepth == 0) |
-         bit(ANYSL_ASSUMES_NO_TEXTURES, textures && textures->empty()) |
-         bit(ANYSL_ASSUMES_NO_DISPLACEMENT, displacement && !*displacement) |
-         bit(ANYSL_ASSUMES_NO_VOLUMES, atmosphere && !*atmosphere) |
-         bit(ANYSL_ASSUMES_NO_MOTION, shutter && (*shutter)[0] == (*shutter)[1]);
 }
 
 } // namespace anysl::demand

@@ -56,6 +56,62 @@ std::optional<Value> valueOf(const Parameter &parameter) {
   return result;
 }
 
+/// A light of a standard kind, as far as every renderer that reads the scene has the same of it:
+/// positions and directions depend on the space in which it shades, colours and angles on how it
+/// rounds. Nothing where a renderer may have several lights for it, or shaders.
+std::optional<LightDemand> lightOf(const LightUse &light) {
+  LightDemand result{light.name};
+  AnyslLight &values = result.values.light;
+  values.kind = standardKind(light.name);
+  if (values.kind == ANYSL_LIGHT_SHADER || !light.shapes.empty())
+    return std::nullopt;
+  auto flag = [&](uint32_t bit, bool isSet) {
+    result.values.known_flags |= bit;
+    values.flags |= isSet ? bit : 0;
+  };
+  auto number = [&](const char *name, double otherwise) -> std::optional<double> {
+    const Parameter *parameter = findParameter(light.parameters, name);
+    if (!parameter)
+      return otherwise;
+    return parameter->numbers.size() == 1 ? std::optional(parameter->numbers[0]) : std::nullopt;
+  };
+  flag(ANYSL_LIGHT_CASTS_SHADOW, light.castsShadow);
+  if (auto given = number("__nondiffuse", 0))
+    flag(ANYSL_LIGHT_NONDIFFUSE, *given != 0);
+  if (auto given = number("__nonspecular", 0))
+    flag(ANYSL_LIGHT_NONSPECULAR, *given != 0);
+  auto beam = number("beamdistribution", 2);
+  if (values.kind == ANYSL_LIGHT_SPOT && beam) {
+    values.beam = float(*beam);
+    result.values.known = finiteFields(values) & ANYSL_KNOWN_BEAM;
+  }
+  return result;
+}
+
+/// Adds the lights, if they are the same for all shapes and known.
+void addLights(const SceneDescription &scene, Demand &demand) {
+  const std::vector<uint32_t> *lights = nullptr;
+  for (const Shape &shape : scene.shapes) {
+    const std::vector<uint32_t> &its = scene.appearances[shape.appearance].lights;
+    if (lights && *lights != its)
+      return;
+    lights = &its;
+  }
+  std::vector<LightDemand> each;
+  bool hasAmbient = false;
+  for (uint32_t index : lights ? *lights : std::vector<uint32_t>()) {
+    bool isAmbient = scene.lights[index].name == ambientLight;
+    auto light = isAmbient ? std::nullopt : lightOf(scene.lights[index]);
+    if (!light && !isAmbient)
+      return;
+    hasAmbient |= isAmbient;
+    if (light)
+      each.push_back(std::move(*light));
+  }
+  if (each.size() <= ANYSL_MOST_LINKED_LIGHTS)
+    demand.setLights(std::move(each), hasAmbient);
+}
+
 } // namespace
 
 std::set<uint32_t> usedLights(const SceneDescription &scene) {
@@ -166,6 +222,7 @@ std::vector<std::vector<const ShaderUse *>> alikeUses(std::span<const ShaderUse 
 
 Demand demandOfAll(const SceneDescription &scene) {
   Demand result = demandOf(scene);
+  addLights(scene, result);
   UsedShaders used(scene);
   std::map<std::string, std::vector<const ShaderUse *>> uses;
   auto add = [&](const ShaderUse &use) { uses[shaderName(use.name)].push_back(&use); };

@@ -356,6 +356,9 @@ AnyslStatus shade(const AnyslInstance &instance, const AnyslBatch &batch, uint32
                                        "no code for width " + std::to_string(width) + "; it has " +
                                        widths);
   }
+  if (AnyslStatus status =
+          checkLights(*instance.library, batch.args.lights, batch.args.light_count))
+    return status;
   // A copy, so that threads can shade different ranges of one batch.
   AnyslShadeArgs args = batch.args;
   args.params = const_cast<AnyslCell *>(instance.cells.data());
@@ -459,7 +462,7 @@ AnyslStatus anysl_batch_want_output(AnyslBatch *batch, const char *param) {
     if (AnyslStatus status = provideParam(*batch, param, ANYSL_PARAM_OUTPUT, index))
       return status;
     // Whether Ci and Oi are wanted is another matter: at least one of them is there.
-    const AnyslDemandInfo *demand = demandOf(*batch->library);
+    const AnyslDemandInfo *demand = batch->library->demand;
     const char *const outputs[] = {param, demand && isDropped(*demand, "Ci") ? "Oi" : "Ci",
                                    nullptr};
     AnyslSceneFacts facts = {};

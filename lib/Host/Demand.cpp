@@ -11,6 +11,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 using namespace anysl::host;
@@ -44,11 +45,78 @@ std::string lacking(const AnyslDemandInfo &demand, const AnyslSceneFacts &facts)
   return {};
 }
 
+std::string kindName(uint32_t kind) {
+  switch (kind) {
+#define ANYSL_STANDARD_LIGHT(id, name, word, source, absence)                                      \
+  case id:                                                                                         \
+    return "a " word " light";
+#include <anysl/LightKinds.def>
+  default:
+    return "a light shader";
+  }
+}
+
+/// What of a light is other than what was linked in, as the end of a sentence; empty if nothing.
+std::string difference(const AnyslLinkedLight &linked, const AnyslLight &light) {
+  const AnyslLight &wanted = linked.light;
+  if (wanted.kind != light.kind)
+    return "is " + kindName(wanted.kind) + ", and here it is " + kindName(light.kind);
+  const std::pair<uint32_t, const char *> flags[] = {
+      {ANYSL_LIGHT_CASTS_SHADOW, "casts shadows"},
+      {ANYSL_LIGHT_NONDIFFUSE, "leaves diffuse() out"},
+      {ANYSL_LIGHT_NONSPECULAR, "leaves specular() out"}};
+  for (auto [flag, what] : flags)
+    if ((wanted.flags ^ light.flags) & linked.known_flags & flag)
+      return std::string(wanted.flags & flag ? "" : "is not one that ") + what +
+             ", and here it is otherwise";
+  struct Part {
+    uint32_t known;
+    const char *name;
+    const float *wanted, *given;
+    size_t count;
+  } const parts[] = {{ANYSL_KNOWN_COLOR, "colour", wanted.color, light.color, 3},
+                     {ANYSL_KNOWN_FROM, "position", wanted.from, light.from, 3},
+                     {ANYSL_KNOWN_DIRECTION, "direction", wanted.direction, light.direction, 3},
+                     {ANYSL_KNOWN_CONE, "cone", &wanted.cos_outer, &light.cos_outer, 1},
+                     {ANYSL_KNOWN_CONE, "cone", &wanted.cos_inner, &light.cos_inner, 1},
+                     {ANYSL_KNOWN_BEAM, "beam", &wanted.beam, &light.beam, 1}};
+  for (const Part &part : parts) // bits, since 0 and -0 are not the same
+    if (linked.known & part.known &&
+        std::memcmp(part.wanted, part.given, part.count * sizeof(float)))
+      return std::string("has another ") + part.name + " than here";
+  return {};
+}
+
+/// The same of all lights.
+std::string otherLights(const AnyslDemandInfo &demand, const AnyslLight *lights, uint32_t count) {
+  if (demand.assumes & 1u << ANYSL_ASSUMES_NO_LIGHT_SHADERS &&
+      std::any_of(lights, lights + count,
+                  [](auto &light) { return light.kind == ANYSL_LIGHT_SHADER; }))
+    return std::string("without ") + assumptionNames[ANYSL_ASSUMES_NO_LIGHT_SHADERS] +
+           ", and this one has them";
+  if (!demand.lights)
+    return {};
+  auto number = [](uint32_t lights) {
+    return std::to_string(lights) + (lights == 1 ? " light" : " lights");
+  };
+  if (demand.light_count != count)
+    return "with " + number(demand.light_count) + ", and this one has " + std::to_string(count);
+  for (uint32_t i = 0; i < count; ++i)
+    if (std::string what = difference(demand.lights[i], lights[i]); !what.empty())
+      return "whose light " + std::to_string(i + 1) + " " + what;
+  return {};
+}
+
+AnyslStatus refuse(const LoadedLibrary &library, const std::string &lack) {
+  return lack.empty() ? ANYSL_OK
+                      : fail(ANYSL_ERROR_STATE,
+                             library.path + ": the library was linked for a scene " + lack);
+}
+
 } // namespace
 
-const AnyslDemandInfo *anysl::host::demandOf(const LoadedLibrary &library) {
-  auto *demand = static_cast<const AnyslDemandInfo *>(
-      library.handle ? dlsym(library.handle, ANYSL_DEMAND_SYMBOL) : nullptr);
+const AnyslDemandInfo *anysl::host::findDemand(void *handle) {
+  auto *demand = static_cast<const AnyslDemandInfo *>(dlsym(handle, ANYSL_DEMAND_SYMBOL));
   return demand && demand->struct_size == sizeof(AnyslDemandInfo) ? demand : nullptr;
 }
 
@@ -64,23 +132,34 @@ bool anysl::host::isDropped(const AnyslDemandInfo &demand, std::string_view outp
 }
 
 AnyslSourceInfo anysl::host::sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader) {
-  if (const AnyslDemandInfo *demand = demandOf(library))
-    return demand->sources[&shader - library.info->shaders];
+  if (library.demand)
+    return library.demand->sources[&shader - library.info->shaders];
   return {shader.globals_written, shader.effects, 0};
 }
 
 AnyslStatus anysl::host::checkDemand(const LoadedLibrary &library, const AnyslSceneFacts &facts) {
-  const AnyslDemandInfo *demand = demandOf(library);
-  std::string lack = demand ? lacking(*demand, facts) : "";
-  return lack.empty() ? ANYSL_OK
-                      : fail(ANYSL_ERROR_STATE,
-                             library.path + ": the library was linked for a scene " + lack);
+  return library.demand ? refuse(library, lacking(*library.demand, facts)) : ANYSL_OK;
+}
+
+AnyslStatus anysl::host::checkLights(const LoadedLibrary &library, const AnyslLight *lights,
+                                     uint32_t count) {
+  return library.demand ? refuse(library, otherLights(*library.demand, lights, count)) : ANYSL_OK;
+}
+
+/// With its lights.
+static AnyslStatus checkScene(const LoadedLibrary &library, const AnyslSceneFacts &facts) {
+  AnyslStatus status = checkDemand(library, facts);
+  // A host that knows less facts than this header says nothing of its lights.
+  bool hasLights = facts.struct_size >= sizeof facts;
+  return status ? status
+                : checkLights(library, hasLights ? facts.lights : nullptr,
+                              hasLights ? facts.light_count : 0);
 }
 
 extern "C" {
 
 const AnyslDemandInfo *anysl_library_demand(const AnyslLibrary *library) {
-  return demandOf(*library->loaded);
+  return library->loaded->demand;
 }
 
 AnyslSourceInfo anysl_library_source(const AnyslLibrary *library, const AnyslShaderInfo *shader) {
@@ -88,7 +167,7 @@ AnyslSourceInfo anysl_library_source(const AnyslLibrary *library, const AnyslSha
 }
 
 AnyslStatus anysl_library_allows(const AnyslLibrary *library, const AnyslSceneFacts *facts) {
-  return guarded([&] { return checkDemand(*library->loaded, *facts); });
+  return guarded([&] { return checkScene(*library->loaded, *facts); });
 }
 
 AnyslStatus anysl_library_open_for(const char *path, const char *general,
@@ -97,7 +176,7 @@ AnyslStatus anysl_library_open_for(const char *path, const char *general,
     AnyslLibrary *opened = nullptr;
     if (AnyslStatus status = anysl_library_open(path, 0, &opened))
       return status;
-    AnyslStatus status = checkDemand(*opened->loaded, *facts);
+    AnyslStatus status = checkScene(*opened->loaded, *facts);
     if (!status) {
       *library = opened;
       return ANYSL_OK;

@@ -48,6 +48,7 @@ struct LoadedLibrary {
   const AnyslLibraryInfo *info = nullptr;
   bool inspectOnly = false;
   void *handle = nullptr; ///< of dlopen; null for shaders that are part of the program
+  const AnyslDemandInfo *demand = nullptr; ///< what it was linked for; null: any scene
 
   LoadedLibrary() = default;
   LoadedLibrary(const LoadedLibrary &) = delete;
@@ -71,14 +72,16 @@ void sampleStandardSent(const AnyslLight &light, const double *P, const AnyslMes
 /// Whether everything the descriptor says can be relied upon; fails with a message if not.
 AnyslStatus checkDescriptor(const LoadedLibrary &library);
 
-/// What a library was linked for; null: any scene.
-const AnyslDemandInfo *demandOf(const LoadedLibrary &library);
+/// What the object of a library says that it was linked for; null: any scene.
+const AnyslDemandInfo *findDemand(void *handle);
 /// Whether it was linked for a scene that does not look at this output.
 bool isDropped(const AnyslDemandInfo &demand, std::string_view output);
 /// What a shader of a library could do for any scene.
 AnyslSourceInfo sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader);
-/// Fails if the library lacks what a scene calls for.
+/// Fails if the library lacks what a scene calls for, apart from its lights.
 AnyslStatus checkDemand(const LoadedLibrary &library, const AnyslSceneFacts &facts);
+/// Fails if other lights are linked into the library than these, or it has none for them.
+AnyslStatus checkLights(const LoadedLibrary &library, const AnyslLight *lights, uint32_t count);
 
 /// What the processor lacks of a comma-separated list of x86 features, in the list's own words;
 /// empty if nothing. A name that is not known counts as lacking.

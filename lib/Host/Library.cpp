@@ -83,6 +83,7 @@ AnyslStatus load(const char *givenPath, LoadedLibrary &library) {
     return fail(ANYSL_ERROR_NOT_A_LIBRARY, library.path +
                                                ": not a shader library: it has no symbol '" +
                                                ANYSL_LIBRARY_SYMBOL + "'");
+  library.demand = findDemand(library.handle);
   return ANYSL_OK;
 }
 

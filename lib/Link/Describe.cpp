@@ -10,7 +10,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/Link/Session.h"
+#include "lib/Link/SceneLights.h"
 #include "lib/Support/Tool.h"
 #include "llvm/ADT/SetVector.h"
 #include "llvm/ADT/StringExtras.h"
@@ -69,10 +69,16 @@ private:
       sources.push_back(
           structure(sizeof(AnyslSourceInfo), {u64(shader.sourceWritten), u32(shader.sourceEffects),
                                               u32(shader.keepsOpacity)}));
+    SmallVector<Constant *> lights;
+    if (!session.report.linkedLights.empty())
+      for (const demand::LightDemand &light : linkedLights(session))
+        lights.push_back(
+            checked(sizeof(AnyslLinkedLight), lightConstant(session.context, light.values)));
     Constant *info =
-        structure(sizeof(AnyslDemandInfo), {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
-                                            u64(xxh3_64bits(manifest)), text(manifest),
-                                            text(join(dropped, ",")), time, array(sources)});
+        structure(sizeof(AnyslDemandInfo),
+                  {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
+                   u64(xxh3_64bits(manifest)), text(manifest), text(join(dropped, ",")), time,
+                   array(sources), array(lights), u32(unsigned(lights.size())), u32(0)});
     auto *variable = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                         GlobalValue::ExternalLinkage, info, ANYSL_DEMAND_SYMBOL);
     variable->setAlignment(Align(8));
@@ -92,7 +98,10 @@ private:
 
   /// A structure that must have the size of its counterpart in C.
   Constant *structure(size_t size, ArrayRef<Constant *> fields) {
-    Constant *value = ConstantStruct::getAnon(session.context, fields);
+    return checked(size, ConstantStruct::getAnon(session.context, fields));
+  }
+
+  Constant *checked(size_t size, Constant *value) {
     if (module.getDataLayout().getTypeAllocSize(value->getType()) != size)
       reportInternalError("the descriptor does not match <anysl/abi.h>");
     return value;

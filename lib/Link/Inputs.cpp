@@ -5,7 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
-#include "lib/Link/Session.h"
+#include "lib/Link/SceneLights.h"
 #include "lib/STC/Writer.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/SmallString.h"
@@ -249,6 +249,7 @@ bool openLayers(Session &session) {
     return false;
   adaptRays(session, *session.layers.back().module);
   adaptToScene(session, *session.layers.back().module);
+  adaptLights(session, *session.layers.back().module);
   return openTiers(session);
 }
 

@@ -102,6 +102,9 @@ bool runStages(Session &session, ArrayRef<std::string> files) {
       // While comparing texts is an operator, and before much is inlined that is then never
       // reached.
       run(session, "texts", copyForTexts) &&
+      // While loops over lights still ask for their number by name; their rounds are simplified
+      // where they are inlined.
+      run(session, "lights", unrollLights) &&
       // Before inlining: the runtime's shade_point is copied once a shader.
       run(session, "bind", bindShaders) &&
       // After linking, because only the runtime knows the types.

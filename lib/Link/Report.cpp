@@ -102,11 +102,16 @@ json::Value Report::toJson() const {
                       {"cpu", cpu},
                       {"output", output},
                       {"outputBytes", int64_t(outputBytes)},
+                      {"linkedLights", list(linkedLights)},
+                      {"lightLoops", lightLoops},
                       {"shaders", std::move(shaderList)},
                       {"stages", std::move(stages)}};
 }
 
 void Report::printEffects(raw_ostream &out) const {
+  if (!linkedLights.empty())
+    out << "lights linked in: " << linkedLights.size() << " (" << join(linkedLights, ", ") << "); "
+        << lightLoops << (lightLoops == 1 ? " loop" : " loops") << " over them unrolled\n";
   for (const ShaderReport &shader : shaders) {
     out << "shader " << shader.name << ", " << shader.scalarInstructions << " instructions\n";
     // One line for calls that share everything but their place.
@@ -132,7 +137,8 @@ void Report::printEffects(raw_ostream &out) const {
       widest = std::max(widest, std::get<0>(line).size());
     for (const auto &[line, uses] : lines) {
       const auto &[effect, isKept, why] = line;
-      out << "  " << left_justify(effect, unsigned(widest + 1)) << (isKept ? "kept     " : "dropped  ");
+      out << "  " << left_justify(effect, unsigned(widest + 1))
+          << (isKept ? "kept     " : "dropped  ");
       ListSeparator separator;
       for (const auto &[place, count] : uses.places) {
         out << separator << place;

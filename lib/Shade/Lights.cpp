@@ -35,11 +35,18 @@ struct StandardText {
 
 /// The kinds by both of their names; those that end in "light" have the standard's parameters.
 uint32_t kindNamed(const std::string &name, bool &known, bool &standardNames) {
-  static const char *const kinds[] = {"ambient", "distant", "point", "spot"};
-  for (uint32_t kind = 0; kind < 4; ++kind) {
-    standardNames = name == std::string(kinds[kind]) + "light";
-    if ((known = standardNames || name == kinds[kind]))
-      return kind;
+  struct Kind {
+    uint32_t number;
+    const char *word, *source;
+  } const kinds[] = {
+      {0, "ambient", "ambientlight"},
+#define ANYSL_STANDARD_LIGHT(id, name, word, source, absence) {id, word, source},
+#include <anysl/LightKinds.def>
+  };
+  for (const Kind &kind : kinds) {
+    standardNames = name == kind.source;
+    if ((known = standardNames || name == kind.word))
+      return kind.number;
   }
   return 0;
 }
@@ -126,10 +133,13 @@ void Lights::checkAllowed(const AnyslLibrary *library) const {
     note(true, ANYSL_ASSUMES_NO_LIGHTS);
     note(light.flags & ANYSL_LIGHT_AMBIENT, ANYSL_ASSUMES_NO_AMBIENT);
     note(light.flags & ANYSL_LIGHT_CASTS_SHADOW, ANYSL_ASSUMES_NO_SHADOWS);
-    note(light.kind == ANYSL_LIGHT_DISTANT, ANYSL_ASSUMES_NO_DISTANT_LIGHTS);
-    note(light.kind == ANYSL_LIGHT_POINT, ANYSL_ASSUMES_NO_POINT_LIGHTS);
-    note(light.kind == ANYSL_LIGHT_SPOT, ANYSL_ASSUMES_NO_SPOT_LIGHTS);
+#define ANYSL_STANDARD_LIGHT(id, name, word, source, absence)                                      \
+  note(light.kind == id, ANYSL_ASSUMES_##absence);
+#include <anysl/LightKinds.def>
+    note(light.kind == ANYSL_LIGHT_SHADER, ANYSL_ASSUMES_NO_LIGHT_SHADERS);
   }
+  facts.lights = lights.data();
+  facts.light_count = uint32_t(lights.size());
   if (const AnyslDemandInfo *demand = anysl_library_demand(library))
     facts.time = demand->time;
   check(anysl_library_allows(library, &facts));

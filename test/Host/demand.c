@@ -6,6 +6,8 @@
 // RUN: anysl-link effects.stc.bc -o general.so --width 1
 // RUN: echo '{"outputs": ["Oi", "dots"], "asked": []}' > shadow.json
 // RUN: anysl-link effects.stc.bc -o shadow.so --scene shadow.json --width 1
+// RUN: echo '{"lights": [{"kind": "pointlight", "from": [0, 5, 0]}], "shaders": {"effects": {}}}' > lit.json
+// RUN: anysl-link effects.stc.bc -o lit.so --scene lit.json --width 1
 // RUN: clang -std=c99 -Wall -Werror %anysl_include %s %lib_dir/libanysl.a -lstdc++ -lm -o demand
 // RUN: ./demand | FileCheck %s
 // UNSUPPORTED: sanitizer
@@ -87,6 +89,64 @@ int main(void) {
   facts.time = 3;
   // CHECK: time: small.so: the library was linked for a scene at time 2.000000, and this one is at time 3.000000
   show("time", anysl_library_allows(small, &facts));
+
+  // The lights that are linked in have to be the scene's.
+  AnyslLibrary *lit;
+  AnyslLight lights[2];
+  AnyslStandardLight values;
+  if (anysl_library_open("lit.so", 0, &lit))
+    return 1;
+  anysl_standard_light_defaults(&values);
+  values.from[1] = 5;
+  anysl_light_standard(ANYSL_LIGHT_POINT, &values, &lights[0]);
+  anysl_light_standard(ANYSL_LIGHT_SPOT, &values, &lights[1]);
+  memset(&facts, 0, sizeof facts);
+  facts.struct_size = sizeof facts;
+  // CHECK: linked in: 1 of kind 2
+  printf("linked in: %u of kind %u\n", anysl_library_demand(lit)->light_count,
+         anysl_library_demand(lit)->lights[0].light.kind);
+  // CHECK: no light: lit.so: the library was linked for a scene with 1 light, and this one has 0
+  show("no light", anysl_library_allows(lit, &facts));
+  facts.lights = lights;
+  facts.light_count = 1;
+  // CHECK: the light: yes
+  show("the light", anysl_library_allows(lit, &facts));
+  facts.light_count = 2;
+  // CHECK: two lights: lit.so: the library was linked for a scene with 1 light, and this one has 2
+  show("two lights", anysl_library_allows(lit, &facts));
+  facts.lights = lights + 1;
+  facts.light_count = 1;
+  // CHECK: a spot light: lit.so: the library was linked for a scene whose light 1 is a point light, and here it is a spot light
+  show("a spot light", anysl_library_allows(lit, &facts));
+  // CHECK: fall back: yes
+  // CHECK-NEXT: general
+  show("fall back", anysl_library_open_for("lit.so", "general.so", &facts, &either));
+  printf("%s\n", anysl_library_demand(either) ? "special" : "general");
+  anysl_library_close(either);
+  facts.lights = lights;
+  lights[0].from[0] = 1;
+  // CHECK: a light elsewhere: lit.so: the library was linked for a scene whose light 1 has another position than here
+  show("a light elsewhere", anysl_library_allows(lit, &facts));
+  facts.struct_size = 8; // a host from before there were any to be asked for
+  // CHECK: a host that says nothing: lit.so: the library was linked for a scene with 1 light, and this one has 0
+  show("a host that says nothing", anysl_library_allows(lit, &facts));
+  // Shading looks as well.
+  AnyslInstance *shader;
+  AnyslBatch *batch;
+  if (anysl_instance_create(lit, NULL, NULL, NULL, &shader) ||
+      anysl_batch_create(shader, 1, 0, &batch))
+    return 1;
+  // CHECK: shade without: lit.so: the library was linked for a scene with 1 light, and this one has 0
+  show("shade without", anysl_shade(shader, batch, 0, 1, 0));
+  anysl_batch_set_lights(batch, lights, 1, NULL);
+  // CHECK: shade elsewhere: lit.so: the library was linked for a scene whose light 1 has another position than here
+  show("shade elsewhere", anysl_shade(shader, batch, 0, 1, 0));
+  lights[0].from[0] = 0;
+  // CHECK: shade: yes
+  show("shade", anysl_shade(shader, batch, 0, 1, 0));
+  anysl_batch_free(batch);
+  anysl_instance_free(shader);
+  anysl_library_close(lit);
 
   if (anysl_instance_create(small, "effects", NULL, NULL, &instance))
     return 1;

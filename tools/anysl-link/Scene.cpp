@@ -48,11 +48,10 @@ bool addBeside(DiagnosticEngine &diags, ArrayRef<std::string> beside, demand::De
 
 /// The scene's shaders that are in no file at hand. The standard lights ask for nothing.
 std::string missing(const demand::Demand &scene, const std::set<std::string> &shaders) {
-  static constexpr StringRef standard[] = {"ambientlight", "distantlight", "pointlight",
-                                           "spotlight"};
   std::string result;
   for (const auto &[name, shader] : scene.shaders)
-    if (!shaders.contains(name) && !is_contained(standard, name))
+    if (!shaders.contains(name) && name != demand::ambientLight &&
+        demand::standardKind(name) == ANYSL_LIGHT_SHADER)
       result += (result.empty() ? "'" : ", '") + name + "'";
   return result;
 }

@@ -8,7 +8,6 @@
 #include "tools/anysl-render/Lights.h"
 
 #include "StandardLights.h"
-#include "lib/Demand/Demand.h"
 #include "tools/anysl-render/AreaLights.h"
 
 #include <algorithm>
@@ -140,6 +139,28 @@ void SceneLights::load(ShaderLoader &loader, const AnyslServices &services) {
       shaderOf[i] = loader.make(*useOf[i], services);
 }
 
+std::optional<SceneLights::Known> SceneLights::known(const std::vector<uint32_t> &indices) const {
+  LightSet set;
+  Known result;
+  Warnings none(nullptr); // set() gives them
+  for (uint32_t index : indices) {
+    if (!standard[index])
+      return std::nullopt;
+    result.ambient |= scene.lights[index].name == demand::ambientLight;
+    addStandard(scene.lights[index], set, none);
+  }
+  for (const AnyslLight &light : set.lights) {
+    demand::LightDemand &demand = result.each.emplace_back();
+    demand.kind = demand::sourceOf(light.kind);
+    demand.values.light = light;
+    demand.values.light.shader = nullptr; // the set's
+    demand.values.known_flags =
+        ANYSL_LIGHT_CASTS_SHADOW | ANYSL_LIGHT_NONDIFFUSE | ANYSL_LIGHT_NONSPECULAR;
+    demand.values.known = demand::finiteFields(light);
+  }
+  return result;
+}
+
 LightSet SceneLights::set(const std::vector<uint32_t> &indices, Warnings &warnings) const {
   LightSet set;
   for (uint32_t index : indices)
@@ -210,23 +231,22 @@ void SceneLights::spread(const LightUse &use, const AnyslLight &light, LightSet 
 }
 
 void SceneLights::addStandard(const LightUse &use, LightSet &set, Warnings &warnings) const {
-  bool distant = use.name == "distantlight", point = use.name == "pointlight";
   LightValues values = readValues(use, warnings);
   Vec3d color = values.color * values.intensity;
-  if (use.name == "ambientlight") {
+  if (use.name == demand::ambientLight) {
     for (int i = 0; i < 3; ++i)
       set.ambient[i] += float(color[i]);
     return;
   }
   AnyslLight light = {};
-  light.kind = distant ? ANYSL_LIGHT_DISTANT : point ? ANYSL_LIGHT_POINT : ANYSL_LIGHT_SPOT;
+  light.kind = demand::standardKind(use.name);
   light.flags = (use.castsShadow ? ANYSL_LIGHT_CASTS_SHADOW : 0) |
                 (values.nonDiffuse != 0 ? ANYSL_LIGHT_NONDIFFUSE : 0) |
                 (values.nonSpecular != 0 ? ANYSL_LIGHT_NONSPECULAR : 0);
   light.category = values.category;
   Vec3d from = use.lightToCamera.point(values.from), to = use.lightToCamera.point(values.to);
   Vec3d direction = normalized(to - from);
-  if (!point && direction == Vec3d())
+  if (light.kind != ANYSL_LIGHT_POINT && direction == Vec3d())
     throw UserError(use.where, use.name + ": \"from\" and \"to\" are the same point");
   store(light.color, color);
   store(light.from, from);

@@ -8,6 +8,7 @@
 #ifndef ANYSL_RENDER_LIGHTS_H
 #define ANYSL_RENDER_LIGHTS_H
 
+#include "lib/Demand/Demand.h"
 #include "tools/anysl-render/Shaders.h"
 
 #include <memory>
@@ -43,6 +44,13 @@ public:
   std::vector<const ShaderUse *> runStandard(const ShaderCache &cache);
   /// Makes the light shaders, whose libraries are open. Throws UserError as the loader does.
   void load(ShaderLoader &loader, const AnyslServices &services);
+  /// What shaders may be linked for where exactly these lights shine, before any is loaded; nothing
+  /// where one of them is a light shader.
+  struct Known {
+    std::vector<demand::LightDemand> each;
+    bool ambient = false; ///< whether there are ambient ones besides
+  };
+  std::optional<Known> known(const std::vector<uint32_t> &indices) const;
   /// The lights with these indices.
   LightSet set(const std::vector<uint32_t> &indices, Warnings &warnings) const;
 

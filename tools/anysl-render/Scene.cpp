@@ -27,7 +27,7 @@ constexpr uint32_t spacesService = 1u << 3;
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
     : description(given), camera(given.camera), spaces(given, camera), background(given),
-      textures(makePictures(given)), loader(*this, given, cache, layout, width, warnings),
+      textures(makePictures(given)), loader(*this, description, cache, layout, width, warnings),
       lights(given, cache, warnings) {
   loadShaders(cache, services, warnings);
   splitShapes();
@@ -63,6 +63,7 @@ void Scene::loadShaders(const ShaderCache &cache, const AnyslServices &services,
   for (int index : used)
     uses.push_back(&description.shaders[size_t(index)]);
   uses.insert(uses.end(), lights.shaders().begin(), lights.shaders().end());
+  loader.linkLights(lights);
   loader.open(uses);
   loader.openForRays();
   imagerServices.struct_size = sizeof imagerServices;
@@ -161,6 +162,7 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
     const Shader *surface = shaderOf(appearance.surface);
     ShapeBindings found;
     if (surface) {
+      loader.checkLights(description.shaders[size_t(appearance.surface)], set->second);
       found = bind(shape, *surface, warnings);
       surface = specialise(appearance.surface, found.constant, services, warnings);
     }

@@ -41,15 +41,16 @@ SceneEffect shaderEffect(const SceneDescription &scene, const char *name,
 /// Each kind of light, and the shadows of each light.
 void addLights(const SceneDescription &scene, std::vector<SceneEffect> &effects) {
   std::map<std::string, SceneEffect> kinds;
-  for (const char *standard : {"ambientlight", "distantlight", "pointlight", "spotlight"})
-    kinds[standard];
+  kinds[std::string(demand::ambientLight)];
+#define ANYSL_STANDARD_LIGHT(id, name, word, source, absence) kinds[source];
+#include <anysl/LightKinds.def>
   std::vector<SceneEffect> shadows;
   for (uint32_t index : demand::usedLights(scene)) {
     const LightUse &light = scene.lights[index];
     std::string place = described("light", light.handle, light.where);
     kinds[light.name].asking.insert(place);
     SceneEffect shadow{"Shadows." + light.handle, {}, "the light casts none", {}};
-    if (light.castsShadow && light.name != "ambientlight")
+    if (light.castsShadow && light.name != demand::ambientLight)
       shadow.asking.insert(place);
     shadow.leaveOut = [index](SceneDescription &other) { other.lights[index].castsShadow = false; };
     shadows.push_back(std::move(shadow));

@@ -243,10 +243,17 @@ ShaderAsking ShaderCache::asking(const std::string &name, const Location &where)
     run(source, {"anysl-info", "--json", threadedCode(source).string()}, path);
   });
   ShaderAsking result;
+  result.asksLights = false;
   const demand::Json described = demand::parseJson(loadSourceFile(file.string()));
   for (const demand::Json::Member &member : described.members) {
     if (member.key == "traces_for_others")
       result.tracesForOthers = member.value.truth;
+    if (member.key == "shaders")
+      for (const demand::Json &shader : member.value.items)
+        for (const demand::Json::Member &its : shader.members)
+          if (its.key == "effects")
+            for (const demand::Json &effect : its.value.items)
+              result.asksLights |= effect.text == "LightValues";
     if (member.key != "asked" || member.value.kind != demand::Json::Array)
       continue;
     result.names.emplace();

@@ -46,6 +46,8 @@ struct ShaderAsking {
   std::optional<std::vector<std::string>> names;
   /// Whether it runs for other shaders' points and traces rays there.
   bool tracesForOthers = true;
+  /// Whether it may ask lights for parameters, send them values, or ask for their names.
+  bool asksLights = true;
 };
 
 /// Finds a shader's file by its name and makes a shader library of it. NAME.so is taken as it is;

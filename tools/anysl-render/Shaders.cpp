@@ -9,6 +9,7 @@
 
 #include "tools/anysl-render/Footprint.h"
 #include "tools/anysl-render/Geometry.h"
+#include "tools/anysl-render/Lights.h"
 #include "tools/anysl-render/Scene.h"
 
 #include <tbb/parallel_for.h>
@@ -257,6 +258,23 @@ ShaderLoader::Linked ShaderLoader::linkedForScene() const {
     if (anysl_library_demand(opened->library.get()))
       ++result[opened->wanted.name][size_t(opened->wanted.rays)];
   return result;
+}
+
+void ShaderLoader::checkLights(const ShaderUse &opened, const LightSet &lights) const {
+  for (const auto &[key, library] : libraryOf) {
+    if (key.first != &opened)
+      continue;
+    const AnyslDemandInfo *demand = anysl_library_demand(library->library.get());
+    const char *const opacity[] = {"Oi", nullptr};
+    AnyslSceneFacts facts = {};
+    facts.struct_size = sizeof facts;
+    facts.outputs = key.second == RayKind::Shadow ? opacity : nullptr;
+    facts.time = demand ? demand->time : 0;
+    facts.lights = lights.lights.data();
+    facts.light_count = uint32_t(lights.lights.size());
+    if (anysl_library_allows(library->library.get(), &facts))
+      throw UserError(opened.where, anysl_last_error());
+  }
 }
 
 void ShaderLoader::printNotes(std::FILE *file) const {

@@ -20,6 +20,7 @@
 namespace anysl::render {
 
 class Scene;
+struct LightSet;
 
 /// A shader with its parameters' values, as one request states it. Its address is what the shader
 /// hands back to every service as `renderer`.
@@ -78,6 +79,10 @@ public:
       : scene(scene), cache(cache), variants(description, cache), layout(layout), width(width),
         warnings(warnings) {}
 
+  /// Lets surfaces be linked for the lights that shine on them, which must outlive this.
+  void linkLights(const SceneLights &lights) { variants.linkLights(lights); }
+  /// Throws UserError if the library that was opened for a surface is linked for other lights.
+  void checkLights(const ShaderUse &opened, const LightSet &lights) const;
   /// Finds and compiles what the shaders need, in parallel, and opens it. Throws UserError where
   /// one is missing, does not compile or does not fit the host.
   void open(std::span<const ShaderUse *const> uses);

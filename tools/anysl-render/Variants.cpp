@@ -57,9 +57,41 @@ demand::Demand Variants::common() const {
       names.insert(its.names->begin(), its.names->end());
     *result.othersTrace |= its.tracesForOthers;
   }
+  // Then the standard's lights are run as the shaders that they are, too.
+  if (asksLights())
+    result.lights->push_back("the standard's, as shaders");
   if (known)
     result.asked.emplace(names.begin(), names.end());
   return result;
+}
+
+bool Variants::asksLights() const {
+  return std::any_of(asking.begin(), asking.end(),
+                     [](const auto &entry) { return entry.second.asksLights; });
+}
+
+void Variants::addLights(demand::Demand &demand, const std::vector<const ShaderUse *> &uses) const {
+  if (!lights || asksLights())
+    return;
+  const std::vector<uint32_t> *same = nullptr;
+  for (const Shape &shape : scene.shapes) {
+    const Appearance &appearance = scene.appearances[shape.appearance];
+    bool isOfUses = std::any_of(uses.begin(), uses.end(), [&](const ShaderUse *use) {
+      return appearance.surface >= 0 && use == &scene.shaders[size_t(appearance.surface)];
+    });
+    if (!isOfUses)
+      continue;
+    if (same && *same != appearance.lights)
+      return;
+    same = &appearance.lights;
+  }
+  auto known = same ? lights->known(*same) : std::nullopt;
+  if (!known || known->each.size() > ANYSL_MOST_LINKED_LIGHTS)
+    return;
+  demand.shadows = std::any_of(known->each.begin(), known->each.end(), [](const auto &light) {
+    return (light.values.light.flags & ANYSL_LIGHT_CASTS_SHADOW) != 0;
+  });
+  demand.setLights(std::move(known->each), known->ambient);
 }
 
 std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses,
@@ -126,6 +158,9 @@ std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses
     for (const auto &group : demand::alikeUses(stated, mostOfOne - !called.empty())) {
       demand::Demand demand = common;
       demand::addShader(demand, variables, group);
+      if (std::all_of(group.begin(), group.end(),
+                      [](const ShaderUse *use) { return use->kind == ShaderKind::Surface; }))
+        addLights(demand, group);
       add(demand, group);
     }
   }

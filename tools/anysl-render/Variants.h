@@ -13,6 +13,8 @@
 
 namespace anysl::render {
 
+class SceneLights;
+
 /// What a ray wants of the surfaces that it meets: all that pictures show, light and opacity, or
 /// opacity alone.
 enum class RayKind { Camera, Traced, Shadow };
@@ -43,12 +45,22 @@ public:
   static WantedLibrary forRays(const WantedLibrary &camera, RayKind rays,
                                std::vector<const ShaderUse *> uses);
 
+  /// From now on surfaces that the same lights shine on, all of standard kinds, are linked for
+  /// these.
+  void linkLights(const SceneLights &given) { lights = &given; }
+
   /// What the scene calls for, without its shaders' parameters.
   demand::Demand common() const;
 
 private:
+  /// Whether some shader asks lights for more than their light.
+  bool asksLights() const;
+  /// Adds the lights that shine on all points of these uses of a surface, if they are known.
+  void addLights(demand::Demand &demand, const std::vector<const ShaderUse *> &uses) const;
+
   const SceneDescription &scene;
   const ShaderCache &cache;
+  const SceneLights *lights = nullptr;
   std::map<std::string, ShaderAsking> asking; ///< by the shader's name
 };
 

@@ -13,6 +13,9 @@
 // another shader is asked for through a function of the runtime's own, askLight(), as is one that
 // casts shadows, through anysl_transmission.
 //
+// Of lights that are linked in (anysl-link --scene) the linker says what they are, in variables
+// here: what is read of them are constants then, wherever a light's number is one.
+//
 //===------------------------------------------------------------------------------------------===//
 
 #ifndef ANYSL_STANDARD_LIGHTS_H
@@ -24,8 +27,54 @@
 
 /// Bits 1 << ANYSL_ASSUMES_...: what the scene does without that the library is linked for.
 extern "C" __attribute__((weak)) const uint32_t anysl_scene_assumes = 0;
+/// How many lights shine on every point, if they are linked in; 0: any number may.
+extern "C" __attribute__((weak)) const uint32_t anysl_scene_light_count = 0;
+/// Those lights.
+extern "C" __attribute__((weak))
+const AnyslLinkedLight anysl_scene_lights[ANYSL_MOST_LINKED_LIGHTS] = {};
 
 namespace anysl {
+
+inline bool sceneLacks(AnyslAssumption what) { return anysl_scene_assumes >> what & 1; }
+
+//===-- A batch's lights ----------------------------------------------------------------------===//
+
+inline uint32_t lightCount(const anysl_context *context) {
+  return anysl_scene_light_count ? anysl_scene_light_count : context->args->light_count;
+}
+
+/// A light of the batch. What is linked in of it is not looked up there.
+class Light {
+public:
+  Light(const anysl_context *context, int32_t index)
+      : given(context->args->lights[index]), linked(anysl_scene_lights[index]) {}
+
+  uint32_t kind() const { return anysl_scene_light_count ? linked.light.kind : given.kind; }
+  uint32_t flags() const {
+    uint32_t known = anysl_scene_light_count ? linked.known_flags : 0;
+    return (given.flags & ~known) | (linked.light.flags & known);
+  }
+  auto &color() const { return with(ANYSL_KNOWN_COLOR).color; }
+  auto &from() const { return with(ANYSL_KNOWN_FROM).from; }
+  auto &direction() const { return with(ANYSL_KNOWN_DIRECTION).direction; }
+  float cosOuter() const { return with(ANYSL_KNOWN_CONE).cos_outer; }
+  float cosInner() const { return with(ANYSL_KNOWN_CONE).cos_inner; }
+  float beam() const { return with(ANYSL_KNOWN_BEAM).beam; }
+  const char *category() const { return given.category; }
+  const char *handle() const { return given.handle; }
+  const void *shader() const { return given.shader; }
+  bool isShader() const {
+    return !sceneLacks(ANYSL_ASSUMES_NO_LIGHT_SHADERS) && kind() == ANYSL_LIGHT_SHADER;
+  }
+
+private:
+  const AnyslLight &with(uint32_t field) const {
+    return anysl_scene_light_count && linked.known & field ? linked.light : given;
+  }
+
+  const AnyslLight &given;
+  const AnyslLinkedLight &linked;
+};
 
 //===-- What a runtime defines ----------------------------------------------------------------===//
 
@@ -60,8 +109,8 @@ void askLight(anysl_context *context, int32_t index, const anysl_point &P, const
 /// A flag of a light: fixed, or what its shader computes.
 inline bool lightFlag(anysl_context *context, int32_t index, const anysl_point *P,
                       const anysl_normal *N, uint32_t flag, const char *name) {
-  uint32_t flags = context->args->lights[index].flags;
-  if (!(flags & ANYSL_LIGHT_COMPUTES_FLAGS))
+  uint32_t flags = Light(context, index).flags();
+  if (sceneLacks(ANYSL_ASSUMES_NO_LIGHT_SHADERS) || !(flags & ANYSL_LIGHT_COMPUTES_FLAGS))
     return flags & flag;
   return askLightFlag(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
                       double(numberOf(P->y)), double(numberOf(P->z)), double(numberOf(N->x)),
@@ -103,21 +152,22 @@ inline anysl_float smoothEdge(const anysl_float &low, const anysl_float &high,
 void anysl_ambient(anysl_color *result, anysl_context *context, const anysl_point *P,
                    const anysl_normal *N) {
   using namespace anysl;
-  const AnyslShadeArgs *args = context->args;
-  anysl_color sum = colorFrom(args->ambient);
-  for (uint32_t i = 0; i < args->light_count; ++i) {
-    if (!(args->lights[i].flags & ANYSL_LIGHT_AMBIENT))
+  anysl_color sum = colorFrom(context->args->ambient);
+  uint32_t count = sceneLacks(ANYSL_ASSUMES_NO_LIGHT_SHADERS) ? 0 : lightCount(context);
+  for (uint32_t i = 0; i < count; ++i) {
+    Light light(context, int32_t(i));
+    if (!(light.flags() & ANYSL_LIGHT_AMBIENT))
       continue;
     anysl_vector L;
     anysl_color Cl, Ol;
     askLight(context, int32_t(i), *P, *N, L, Cl, Ol);
-    Cl = Cl * colorFrom(args->lights[i].color);
+    Cl = Cl * colorFrom(light.color());
     sum = {sum.r + Cl.r, sum.g + Cl.g, sum.b + Cl.b};
   }
   *result = sum;
 }
 
-int32_t anysl_light_count(anysl_context *context) { return int32_t(context->args->light_count); }
+int32_t anysl_light_count(anysl_context *context) { return int32_t(anysl::lightCount(context)); }
 
 bool anysl_light_is_nondiffuse(anysl_context *context, int32_t index, const anysl_point *P,
                                const anysl_normal *N) {
@@ -134,7 +184,7 @@ bool anysl_light_in_category(anysl_context *context, int32_t index, const anysl_
   if (!text || !*text)
     return true;
   bool isNegative = *text == '-';
-  const char *categories = context->args->lights[index].category;
+  const char *categories = anysl::Light(context, index).category();
   return anysl::haveCommonName(categories, text + isNegative) != isNegative;
 }
 
@@ -142,24 +192,29 @@ namespace anysl {
 
 /// Whether the scene may have lights of a standard kind.
 inline bool mayShine(AnyslLightKind kind) {
-  AnyslAssumption absence = kind == ANYSL_LIGHT_DISTANT ? ANYSL_ASSUMES_NO_DISTANT_LIGHTS
-                            : kind == ANYSL_LIGHT_POINT ? ANYSL_ASSUMES_NO_POINT_LIGHTS
-                                                        : ANYSL_ASSUMES_NO_SPOT_LIGHTS;
-  return !(anysl_scene_assumes >> absence & 1);
+  switch (kind) {
+#define ANYSL_STANDARD_LIGHT(id, name, word, source, absence)                                      \
+  case ANYSL_LIGHT_##name:                                                                         \
+    return !sceneLacks(ANYSL_ASSUMES_##absence);
+#include <anysl/LightKinds.def>
+  default:
+    return true;
+  }
 }
 
 /// Whether a light of a standard kind is of this one. Nobody looks where the scene has no others.
-inline bool isOfKind(const AnyslLight &light, AnyslLightKind kind) {
-  int kinds =
-      mayShine(ANYSL_LIGHT_DISTANT) + mayShine(ANYSL_LIGHT_POINT) + mayShine(ANYSL_LIGHT_SPOT);
-  return mayShine(kind) && (kinds == 1 || light.kind == uint32_t(kind));
+inline bool isOfKind(const Light &light, AnyslLightKind kind) {
+  int kinds = 0;
+#define ANYSL_STANDARD_LIGHT(id, name, word, source, absence) kinds += mayShine(ANYSL_LIGHT_##name);
+#include <anysl/LightKinds.def>
+  return mayShine(kind) && (kinds == 1 || light.kind() == uint32_t(kind));
 }
 
 /// A light of a standard kind.
-inline bool sampleStandard(const AnyslLight &light, const anysl_point &P, anysl_vector &L,
+inline bool sampleStandard(const Light &light, const anysl_point &P, anysl_vector &L,
                            anysl_color &Cl) {
-  anysl_vector direction = vectorFrom(light.direction);
-  anysl_vector toLight = vectorFrom(light.from) - P;
+  anysl_vector direction = vectorFrom(light.direction());
+  anysl_vector toLight = vectorFrom(light.from()) - P;
   anysl_float strength(1);
   bool reaches = true;
   if (isOfKind(light, ANYSL_LIGHT_DISTANT)) {
@@ -169,14 +224,14 @@ inline bool sampleStandard(const AnyslLight &light, const anysl_point &P, anysl_
   } else if (isOfKind(light, ANYSL_LIGHT_SPOT)) {
     anysl_float length = lengthOf(toLight.x, toLight.y, toLight.z);
     anysl_float cosine = divide(-dot(toLight, direction), length);
-    reaches = cosine > light.cos_outer;
-    strength = divide(power(cosine, anysl_float(light.beam)), dot(toLight, toLight)) *
-               smoothEdge(anysl_float(light.cos_outer), anysl_float(light.cos_inner), cosine);
+    reaches = cosine > light.cosOuter();
+    strength = divide(power(cosine, anysl_float(light.beam())), dot(toLight, toLight)) *
+               smoothEdge(anysl_float(light.cosOuter()), anysl_float(light.cosInner()), cosine);
   } else {
     reaches = false;
   }
   anysl_float zero(0);
-  anysl_color color = colorFrom(light.color) * strength;
+  anysl_color color = colorFrom(light.color()) * strength;
   L = toLight;
   Cl = {select(reaches, color.r, zero), select(reaches, color.g, zero),
         select(reaches, color.b, zero)};
@@ -193,17 +248,17 @@ inline bool arrives(const anysl_vector &L) {
 bool anysl_light_sample(anysl_context *context, int32_t index, const anysl_point *P,
                         const anysl_normal *N, anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
   using namespace anysl;
-  const AnyslLight &light = context->args->lights[index];
+  const Light light(context, index);
   anysl_float zero(0), one(1);
   *Ol = {one, one, one};
-  if (light.kind != ANYSL_LIGHT_SHADER)
+  if (!light.isShader())
     return sampleStandard(light, *P, *L, *Cl);
   *L = {zero, zero, zero};
   *Cl = {zero, zero, zero};
-  if (light.flags & ANYSL_LIGHT_AMBIENT)
+  if (light.flags() & ANYSL_LIGHT_AMBIENT)
     return false;
   askLight(context, index, *P, *N, *L, *Cl, *Ol);
-  *Cl = *Cl * colorFrom(light.color);
+  *Cl = *Cl * colorFrom(light.color());
   return arrives(*L);
 }
 
@@ -212,8 +267,8 @@ bool anysl_light_sample_sent(anysl_context *context, int32_t index, const anysl_
                              uint32_t numberCount, anysl_string *texts, uint32_t textCount,
                              anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
   using namespace anysl;
-  const AnyslLight &light = context->args->lights[index];
-  if (!light.shader || light.flags & ANYSL_LIGHT_AMBIENT)
+  const Light light(context, index);
+  if (!light.shader() || light.flags() & ANYSL_LIGHT_AMBIENT)
     return anysl_light_sample(context, index, P, N, L, Cl, Ol);
   double result[9];
   askLightSent(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
@@ -223,13 +278,13 @@ bool anysl_light_sample_sent(anysl_context *context, int32_t index, const anysl_
   *L = {anysl_float(result[0]), anysl_float(result[1]), anysl_float(result[2])};
   *Cl = {anysl_float(result[3]), anysl_float(result[4]), anysl_float(result[5])};
   *Ol = {anysl_float(result[6]), anysl_float(result[7]), anysl_float(result[8])};
-  if (light.kind == ANYSL_LIGHT_SHADER)
-    *Cl = *Cl * colorFrom(light.color);
+  if (light.isShader())
+    *Cl = *Cl * colorFrom(light.color());
   return arrives(*L);
 }
 
 bool anysl_light_handle(anysl_string *result, anysl_context *context, int32_t index) {
-  const char *handle = context->args->lights[index].handle;
+  const char *handle = anysl::Light(context, index).handle();
   *result = handle ? handle : "";
   return **result != 0;
 }
@@ -237,13 +292,13 @@ bool anysl_light_handle(anysl_string *result, anysl_context *context, int32_t in
 void anysl_light_end(anysl_point *result, anysl_context *context, int32_t index,
                      const anysl_point *P, const anysl_vector *L) {
   using namespace anysl;
-  const AnyslLight &light = context->args->lights[index];
-  *result = vectorFrom(light.from);
-  if (light.kind == ANYSL_LIGHT_SHADER) {
+  const Light light(context, index);
+  *result = vectorFrom(light.from());
+  if (light.isShader()) {
     anysl_float far = divide(anysl_float(distantLightDistance), lengthOf(L->x, L->y, L->z));
-    *result = *P + *L * (light.flags & ANYSL_LIGHT_FAR ? far : anysl_float(1));
+    *result = *P + *L * (light.flags() & ANYSL_LIGHT_FAR ? far : anysl_float(1));
   } else if (isOfKind(light, ANYSL_LIGHT_DISTANT)) {
-    *result = *P - vectorFrom(light.direction) * anysl_float(distantLightDistance);
+    *result = *P - vectorFrom(light.direction()) * anysl_float(distantLightDistance);
   }
 }
 
@@ -252,7 +307,7 @@ void anysl_light_end(anysl_point *result, anysl_context *context, int32_t index,
 void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point *P,
                         const anysl_vector *L, anysl_color *Cl) {
   using namespace anysl;
-  if (!(context->args->lights[index].flags & ANYSL_LIGHT_CASTS_SHADOW))
+  if (!(Light(context, index).flags() & ANYSL_LIGHT_CASTS_SHADOW))
     return;
   anysl_point end;
   anysl_light_end(&end, context, index, P, L);
