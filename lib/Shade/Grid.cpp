@@ -32,7 +32,7 @@ Grid::Grid(const GridOptions &given)
                                   options.environment)),
       lights(given.lights, services, options.environment) {
   adoptRecording();
-  lights.checkAllowed(library.get());
+  lights.checkAllowed(library.get(), options.print);
   for (const CoshaderText &coshader : options.coshaders)
     addCoshader(coshader);
   for (const ParamText &param : options.params)

@@ -124,7 +124,8 @@ uint64_t Lights::globals() const {
   return anysl_lights_globals(lights.data(), uint32_t(lights.size()));
 }
 
-void Lights::checkAllowed(const AnyslLibrary *library) const {
+void Lights::checkAllowed(const AnyslLibrary *library,
+                          const std::vector<std::string> &results) const {
   AnyslSceneFacts facts = {};
   facts.struct_size = sizeof facts;
   auto note = [&](bool has, AnyslAssumption absence) { facts.has |= uint32_t(has) << absence; };
@@ -140,8 +141,13 @@ void Lights::checkAllowed(const AnyslLibrary *library) const {
   }
   facts.lights = lights.data();
   facts.light_count = uint32_t(lights.size());
+  std::vector<const char *> outputs;
+  for (const std::string &result : results)
+    outputs.push_back(result.c_str());
+  outputs.push_back(nullptr);
   if (const AnyslDemandInfo *demand = anysl_library_demand(library))
     facts.time = demand->time;
+  facts.outputs = outputs.data();
   check(anysl_library_allows(library, &facts));
 }
 

@@ -26,7 +26,8 @@ public:
   /// What the lights read of the surface.
   uint64_t globals() const;
   /// Throws UserError if a library was linked for a scene that has no lights like these.
-  void checkAllowed(const AnyslLibrary *library) const;
+  /// \p results are those that somebody looks at; empty: Ci and Oi.
+  void checkAllowed(const AnyslLibrary *library, const std::vector<std::string> &results) const;
   /// Sets the batch's lights. It must not outlive this.
   void shineOn(AnyslBatch *batch) const;
 

@@ -13,6 +13,7 @@
 
 #include "llvm/Analysis/CFG.h"
 #include "llvm/Analysis/LoopInfo.h"
+#include "llvm/Analysis/MustExecute.h"
 #include "llvm/Analysis/TargetTransformInfo.h"
 #include "llvm/Analysis/ValueTracking.h"
 #include "llvm/IR/InstIterator.h"
@@ -221,6 +222,11 @@ void normalize(Function &function, FunctionAnalysisManager &analyses,
   if (mergeLoopExits(function)) {
     analyses.invalidate(function, PreservedAnalyses::none());
     check("merging of loops' exits");
+  }
+  // FixIrreducible crashes on some branches both of whose targets are headers of one region.
+  if (mayContainIrreducibleControl(function, &analyses.getResult<LoopAnalysis>(function))) {
+    SplitAllCriticalEdges(function);
+    analyses.invalidate(function, PreservedAnalyses::none());
   }
   FunctionPassManager loops;
   loops.addPass(UnifyFunctionExitNodesPass());

@@ -132,19 +132,19 @@ int main(void) {
   show("a host that says nothing", anysl_library_allows(lit, &facts));
   // Shading looks as well.
   AnyslInstance *shader;
-  AnyslBatch *batch;
+  AnyslBatch *points;
   if (anysl_instance_create(lit, NULL, NULL, NULL, &shader) ||
-      anysl_batch_create(shader, 1, 0, &batch))
+      anysl_batch_create(shader, 1, 0, &points))
     return 1;
   // CHECK: shade without: lit.so: the library was linked for a scene with 1 light, and this one has 0
-  show("shade without", anysl_shade(shader, batch, 0, 1, 0));
-  anysl_batch_set_lights(batch, lights, 1, NULL);
+  show("shade without", anysl_shade(shader, points, 0, 1, 0));
+  anysl_batch_set_lights(points, lights, 1, NULL);
   // CHECK: shade elsewhere: lit.so: the library was linked for a scene whose light 1 has another position than here
-  show("shade elsewhere", anysl_shade(shader, batch, 0, 1, 0));
+  show("shade elsewhere", anysl_shade(shader, points, 0, 1, 0));
   lights[0].from[0] = 0;
   // CHECK: shade: yes
-  show("shade", anysl_shade(shader, batch, 0, 1, 0));
-  anysl_batch_free(batch);
+  show("shade", anysl_shade(shader, points, 0, 1, 0));
+  anysl_batch_free(points);
   anysl_instance_free(shader);
   anysl_library_close(lit);
 

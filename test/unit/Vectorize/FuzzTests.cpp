@@ -19,6 +19,7 @@
 #include "llvm/IR/LLVMContext.h"
 #include "llvm/IR/Verifier.h"
 #include "llvm/IRReader/IRReader.h"
+#include "llvm/Support/FileSystem.h"
 #include "llvm/Support/SourceMgr.h"
 #include "llvm/Support/raw_ostream.h"
 
@@ -63,12 +64,17 @@ static void fuzz(uint64_t first, uint64_t count) {
     how.optimizeCode = seed % 11 == 0;
     how.mindFlags = mindsFlags;
     INFO("seed " << seed << ", " << target.width << " lanes for " << target.cpu);
-    std::string difference = compareLanes(*module, "fuzz", how);
-    if (const char *folder = std::getenv("ANYSL_FUZZ_WRITE"); folder && !difference.empty()) {
+    // Written before it is tried, as it may end the program.
+    std::string path;
+    if (const char *folder = std::getenv("ANYSL_FUZZ_WRITE")) {
+      path = std::string(folder) + "/" + std::to_string(seed) + ".ll";
       std::error_code code;
-      llvm::raw_fd_ostream file(std::string(folder) + "/" + std::to_string(seed) + ".ll", code);
+      llvm::raw_fd_ostream file(path, code);
       module->print(file, nullptr);
     }
+    std::string difference = compareLanes(*module, "fuzz", how);
+    if (difference.empty() && !path.empty())
+      llvm::sys::fs::remove(path);
     CHECK(difference == "");
   }
 }
