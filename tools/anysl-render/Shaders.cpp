@@ -265,11 +265,18 @@ void ShaderLoader::checkLights(const ShaderUse &opened, const LightSet &lights) 
     if (key.first != &opened)
       continue;
     const AnyslDemandInfo *demand = anysl_library_demand(library->library.get());
-    const char *const opacity[] = {"Oi", nullptr};
+    if (!demand)
+      continue;
+    // Only lights are in question: what the library does not give, nobody wants of it.
+    auto drops = [&](const char *output) {
+      return ("," + std::string(demand->dropped_outputs) + ",")
+                 .find("," + std::string(output) + ",") != std::string::npos;
+    };
+    const char *const wanted[] = {drops("Ci") ? "Oi" : "Ci", nullptr};
     AnyslSceneFacts facts = {};
     facts.struct_size = sizeof facts;
-    facts.outputs = key.second == RayKind::Shadow ? opacity : nullptr;
-    facts.time = demand ? demand->time : 0;
+    facts.outputs = drops("Ci") || drops("Oi") ? wanted : nullptr;
+    facts.time = demand->time;
     facts.lights = lights.lights.data();
     facts.light_count = uint32_t(lights.lights.size());
     if (anysl_library_allows(library->library.get(), &facts))
