@@ -268,7 +268,9 @@ bool anysl_light_sample_sent(anysl_context *context, int32_t index, const anysl_
                              anysl_vector *L, anysl_color *Cl, anysl_color *Ol) {
   using namespace anysl;
   const Light light(context, index);
-  if (!light.shader() || light.flags() & ANYSL_LIGHT_AMBIENT)
+  // A renderer that runs its lights itself need not say what they are.
+  bool takesValues = light.kind() == ANYSL_LIGHT_SHADER || light.shader();
+  if (!takesValues || light.flags() & ANYSL_LIGHT_AMBIENT)
     return anysl_light_sample(context, index, P, N, L, Cl, Ol);
   double result[9];
   askLightSent(context->args, context->point, uint32_t(index), double(numberOf(P->x)),
