@@ -259,9 +259,14 @@ bool Widener::needsEntryTest() const {
     return false;
   if (scalar.size() > 1)
     return true;
-  for (const Instruction &instruction : scalar.getEntryBlock())
-    if (needsActiveLane(instruction, shapes))
+  for (const Instruction &instruction : scalar.getEntryBlock()) {
+    if (needsActiveLane(instruction, shapes) || instruction.isAtomic())
       return true;
+    // Values of odd sizes are loaded and stored by one lane after the other.
+    if (isa<LoadInst, StoreInst>(instruction) &&
+        !isLaneSized(getLoadStoreType(const_cast<Instruction *>(&instruction))))
+      return true;
+  }
   return false;
 }
 
