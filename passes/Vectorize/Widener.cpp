@@ -259,12 +259,11 @@ bool Widener::needsEntryTest() const {
     return false;
   if (scalar.size() > 1)
     return true;
-  for (const Instruction &instruction : scalar.getEntryBlock()) {
+  for (Instruction &instruction : scalar.getEntryBlock()) {
     if (needsActiveLane(instruction, shapes) || instruction.isAtomic())
       return true;
     // Values of odd sizes are loaded and stored by one lane after the other.
-    if (isa<LoadInst, StoreInst>(instruction) &&
-        !isLaneSized(getLoadStoreType(const_cast<Instruction *>(&instruction))))
+    if (isa<LoadInst, StoreInst>(instruction) && !isLaneSized(getLoadStoreType(&instruction)))
       return true;
   }
   return false;
