@@ -6,11 +6,13 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Host/LightRun.h"
+#include "lib/STC/Effects.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 using namespace anysl::host;
+namespace stc = anysl::stc;
 
 namespace {
 
@@ -21,9 +23,6 @@ constexpr uint64_t ofLight =
     bit(ANYSL_P) | bit(ANYSL_N) | bit(ANYSL_Ng) | bit(ANYSL_Ps) | bit(ANYSL_Ns) | bit(ANYSL_L) |
     bit(ANYSL_Cl) | bit(ANYSL_Ol) | bit(ANYSL_Ci) | bit(ANYSL_Oi) | bit(ANYSL_dPdu) |
     bit(ANYSL_dPdv) | bit(ANYSL_dNdu) | bit(ANYSL_dNdv) | bit(ANYSL_dNgdu) | bit(ANYSL_dNgdv);
-
-/// The bit of AnyslShaderInfo::effects of an entry of lib/STC/Effects.def.
-constexpr uint32_t solarEffect = 1u << 15;
 
 const AnyslParamInfo *singleParam(const AnyslShaderInfo &shader, const char *name, uint32_t type) {
   const AnyslParamInfo *param = anysl_shader_param(&shader, name);
@@ -57,7 +56,7 @@ AnyslStatus fromInstance(const AnyslInstance &instance, AnyslLight &light) {
   const AnyslSourceInfo source = sourceOf(*instance.library, shader);
   if (!(source.globals_written & bit(ANYSL_L)))
     light.flags |= ANYSL_LIGHT_AMBIENT;
-  if (source.effects & solarEffect)
+  if (stc::has(source.effects, stc::Effect::Solar))
     light.flags |= ANYSL_LIGHT_FAR;
   if (const AnyslParamInfo *category = singleParam(shader, "__category", ANYSL_STRING))
     light.category = instance.cells[category->first_cell].string;

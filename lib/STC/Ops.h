@@ -12,6 +12,7 @@
 #ifndef ANYSL_STC_OPS_H
 #define ANYSL_STC_OPS_H
 
+#include "lib/STC/Effects.h"
 #include "lib/STC/Types.h"
 #include <string>
 
@@ -60,26 +61,6 @@ struct OpParam {
 
 enum class Purity : uint8_t { Structural, Pure, Reads, Writes, Stateful };
 enum class Rule : uint8_t { Propagate, Uniform, Varying };
-
-enum class Effect : uint8_t {
-#define STC_EFFECT(id, name, doc) name = id,
-#include "lib/STC/Effects.def"
-};
-
-/// Whether operators of an effect look up pictures.
-constexpr bool looksUpPictures(Effect effect) {
-  return effect == Effect::Textures || effect == Effect::Environment ||
-         effect == Effect::ShadowMaps;
-}
-/// Whether they trace rays that meet surfaces, which are then shaded.
-constexpr bool tracesSurfaces(Effect effect) {
-  return effect == Effect::Trace || effect == Effect::Glossy;
-}
-
-enum class Service : uint8_t {
-#define STC_SERVICE(id, name, doc) name = id,
-#include "lib/STC/Services.def"
-};
 
 /// A line of StcOps.def.
 struct OpInfo {

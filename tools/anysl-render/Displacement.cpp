@@ -17,6 +17,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+namespace stc = anysl::stc;
 using namespace anysl::render;
 
 namespace {
@@ -73,9 +74,10 @@ public:
   }
 
   /// Whether the shader finds the normals of what it moves, as calculatenormal() does, and may not
-  /// know how that changes: effect number 20 of lib/STC/Effects.def.
+  /// know how that changes.
   bool findsNormals() const {
-    return setsNormals() && (shader.source.effects >> 20 & 1) != 0 && !givesTangents();
+    return setsNormals() && stc::has(shader.source.effects, stc::Effect::Derivatives) &&
+           !givesTangents();
   }
   bool isTurned(uint32_t i) const {
     return dot(newNormal(i), normalized(oldNormals[i])) < 1 - 1e-6;

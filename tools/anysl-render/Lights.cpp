@@ -15,6 +15,7 @@
 #include <iterator>
 #include <numbers>
 
+namespace stc = anysl::stc;
 using namespace anysl::render;
 
 namespace {
@@ -32,7 +33,6 @@ struct LightValues {
 };
 
 /// The bit of AnyslShaderInfo::effects that says that a shader asks for shadow rays.
-constexpr uint32_t shadowsEffect = 1u << 10;
 
 } // namespace
 
@@ -177,7 +177,7 @@ void SceneLights::addShader(const LightUse &use, const Shader &shader, LightSet 
   if (anysl_light_from_instance(shader.instance.get(), &light))
     throw UserError(use.where, anysl_last_error());
   // A shader that looks for shadows itself must not have them twice.
-  if (use.castsShadow && !(shader.source.effects & shadowsEffect))
+  if (use.castsShadow && !stc::has(shader.source.effects, stc::Effect::Shadows))
     light.flags |= ANYSL_LIGHT_CASTS_SHADOW;
   light.handle = use.handle.c_str();
   spread(use, light, set);

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <optional>
 
+namespace stc = anysl::stc;
 using namespace anysl::render;
 
 namespace {
@@ -189,7 +190,8 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
   std::optional<ParameterArrays<float>> values;
   if (shader)
     values.emplace(state.arena, *shader, members.group.bound, members.channels != nullptr,
-                   (volume && volume->asksByName()) || outcome.values, ANYSL_LAYOUT_SOA, size);
+                   (volume && volume->asksFor(stc::Service::Queries)) || outcome.values,
+                   ANYSL_LAYOUT_SOA, size);
 
   float *depths = state.arena.allocate<float>(size);
   for (uint32_t i = 0; i < count; ++i) {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <optional>
 
+namespace stc = anysl::stc;
 using namespace anysl::render;
 
 namespace {
@@ -196,7 +197,8 @@ void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &po
   if (shader) {
     storeUniformGlobals(wanted, theScene, store);
     values.emplace(arena, *shader, batch.group->bound, channels != nullptr,
-                   (volume && volume->asksByName()) || asked, ANYSL_LAYOUT_AOS, 16);
+                   (volume && volume->asksFor(stc::Service::Queries)) || asked, ANYSL_LAYOUT_AOS,
+                   16);
     if (!batch.group->bound.empty())
       values->set(0, theScene.bindingsOf(theScene.geometry().shapeOf(hit)),
                   theScene.geometry().variablesAt(hit, point));

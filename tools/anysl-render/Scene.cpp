@@ -15,14 +15,10 @@
 #include <set>
 #include <tuple>
 
+namespace stc = anysl::stc;
 using namespace anysl::render;
 
-namespace {
-
-/// The bit of AnyslShaderInfo::services that says that a shader asks for named spaces.
-constexpr uint32_t spacesService = 1u << 3;
-
-} // namespace
+namespace {} // namespace
 
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
@@ -154,10 +150,11 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
     std::array<int, 5> indices{appearance.surface, appearance.atmosphere, appearance.interior,
                                appearance.exterior, appearance.matte};
     bool bySpace = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
-      return shaderOf(index) && (shaderOf(index)->info->services & spacesService) != 0;
+      return shaderOf(index) && shaderOf(index)->asksFor(stc::Service::Spaces);
     });
     bool byAppearance = std::any_of(indices.begin(), indices.end() - 1, [&](int index) {
-      return shaderOf(index) && (shaderOf(index)->asksByName() || shaderOf(index)->callsOthers());
+      return shaderOf(index) && (shaderOf(index)->asksFor(stc::Service::Queries) ||
+                                 shaderOf(index)->asksFor(stc::Service::Shaders));
     });
     const Shader *surface = shaderOf(appearance.surface);
     ShapeBindings found;

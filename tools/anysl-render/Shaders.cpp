@@ -18,6 +18,7 @@
 #include <exception>
 
 namespace demand = anysl::demand;
+namespace stc = anysl::stc;
 using namespace anysl::render;
 
 namespace {
@@ -25,12 +26,6 @@ namespace {
 static_assert(int(ShaderKind::Surface) == ANYSL_SURFACE && int(ShaderKind::Light) == ANYSL_LIGHT &&
               int(ShaderKind::Displacement) == ANYSL_DISPLACEMENT &&
               int(ShaderKind::Volume) == ANYSL_VOLUME && int(ShaderKind::Imager) == ANYSL_IMAGER);
-
-/// The bits of AnyslShaderInfo::effects that say that a shader traces rays, by the numbers of
-/// lib/STC/Effects.def: Trace; with Indirect and Glossy; Shadows.
-constexpr uint32_t traceEffect = 1u << 11;
-constexpr uint32_t tracingEffects = traceEffect | 1u << 14 | 1u << 23;
-constexpr uint32_t shadowEffect = 1u << 10;
 
 constexpr uint64_t bits(auto... globals) { return ((uint64_t(1) << globals) | ...); }
 
@@ -156,7 +151,7 @@ void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
                               [&](const auto &opened) { return wantsFootprints(infoOf(opened)); });
   std::vector<WantedLibrary> again;
   for (size_t i = libraries.size(); filtered && i-- > before;)
-    if (effectsOf(infoOf(libraries[i])) & traceEffect) {
+    if (stc::has(effectsOf(infoOf(libraries[i])), stc::Effect::Trace)) {
       for (const ShaderUse *use : libraries[i]->wanted.uses)
         libraryOf.erase({use, RayKind::Camera});
       again.push_back(std::move(libraries[i]->wanted));
@@ -180,6 +175,9 @@ void ShaderLoader::openForRays() {
   uint32_t effects = 0;
   for (const auto &opened : libraries)
     effects |= effectsOf(*anysl_library_info(opened->library.get()));
+  const bool tracesRays = stc::has(effects, stc::Effect::Trace) ||
+                          stc::has(effects, stc::Effect::Indirect) ||
+                          stc::has(effects, stc::Effect::Glossy);
   std::vector<WantedLibrary> more;
   for (const auto &opened : libraries) {
     if (!anysl_library_demand(opened->library.get()) || opened->wanted.variant.manifest.empty())
@@ -193,9 +191,9 @@ void ShaderLoader::openForRays() {
     }
     bool isSmaller = hasOutputsForPicturesOnly(*anysl_library_info(opened->library.get()),
                                                opened->wanted.demand);
-    if (!traced.empty() && isSmaller && (effects & tracingEffects) && description.maxDepth > 0)
+    if (!traced.empty() && isSmaller && tracesRays && description.maxDepth > 0)
       more.push_back(Variants::forRays(opened->wanted, RayKind::Traced, std::move(traced)));
-    if (!shadow.empty() && (effects & shadowEffect))
+    if (!shadow.empty() && stc::has(effects, stc::Effect::Shadows))
       more.push_back(Variants::forRays(opened->wanted, RayKind::Shadow, std::move(shadow)));
   }
   openAll(std::move(more));
@@ -268,14 +266,15 @@ void ShaderLoader::checkLights(const ShaderUse &opened, const LightSet &lights) 
     if (!demand)
       continue;
     // Only lights are in question: what the library does not give, nobody wants of it.
-    auto drops = [&](const char *output) {
-      return ("," + std::string(demand->dropped_outputs) + ",")
-                 .find("," + std::string(output) + ",") != std::string::npos;
-    };
-    const char *const wanted[] = {drops("Ci") ? "Oi" : "Ci", nullptr};
+    const AnyslLibraryInfo &info = *anysl_library_info(library->library.get());
+    uint64_t written = 0;
+    for (uint32_t i = 0; i < info.shader_count; ++i)
+      written |= info.shaders[i].globals_written;
+    const char *const wanted[] = {written & bits(ANYSL_Ci) ? "Ci" : "Oi", nullptr};
     AnyslSceneFacts facts = {};
     facts.struct_size = sizeof facts;
-    facts.outputs = drops("Ci") || drops("Oi") ? wanted : nullptr;
+    facts.outputs =
+        (written & bits(ANYSL_Ci, ANYSL_Oi)) == bits(ANYSL_Ci, ANYSL_Oi) ? nullptr : wanted;
     facts.time = demand->time;
     facts.lights = lights.lights.data();
     facts.light_count = uint32_t(lights.lights.size());

@@ -8,6 +8,7 @@
 #ifndef ANYSL_RENDER_SHADERS_H
 #define ANYSL_RENDER_SHADERS_H
 
+#include "lib/STC/Effects.h"
 #include "lib/Shade/Handles.h"
 #include "tools/anysl-render/Spaces.h"
 #include "tools/anysl-render/Variants.h"
@@ -55,13 +56,9 @@ struct Shader {
     const auto &other = rays == RayKind::Traced ? forTraced : forShadow;
     return rays == RayKind::Camera || !other ? *this : *other;
   }
-  /// Whether it asks questions by name: service number 7 of lib/STC/Services.def.
-  bool asksByName() const { return (info->services >> 7 & 1) != 0; }
-  /// Whether it asks lights for parameters or sends them values: effect number 18 of
-  /// lib/STC/Effects.def.
-  bool asksLights() const { return (source.effects >> 18 & 1) != 0; }
-  /// Whether it calls other shaders: service number 6.
-  bool callsOthers() const { return (info->services >> 6 & 1) != 0; }
+  bool asksFor(stc::Service service) const { return stc::has(info->services, service); }
+  /// Whether it asks lights for parameters or sends them values.
+  bool asksLights() const { return stc::has(source.effects, stc::Effect::LightValues); }
 };
 
 /// The bits of Geometry::evaluate() that ask for these globals.
