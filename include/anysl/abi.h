@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 /** Changes when any structure below does; a library of another version is refused. */
-#define ANYSL_ABI_VERSION 5
+#define ANYSL_ABI_VERSION 6
 /** The first field of AnyslLibraryInfo: "AnSL" read as a little-endian number. */
 #define ANYSL_MAGIC 0x4c536e41u
 /** The one symbol that a shader library exports, an AnyslLibraryInfo. */
@@ -111,10 +111,14 @@ typedef struct AnyslLight {
   float cos_inner;    /**< spot: full light where it is above this */
   float beam;         /**< spot: exponent of the cosine */
   const char *category; /**< the categories that it belongs to, comma-separated; null: none */
-  const void *shader; /**< shader: whose results these are, for libanysl a `const AnyslInstance *`;
-                         standard: null, or its AnyslStandardLight, for values that are sent to it */
+  const void
+      *shader; /**< shader: whose results these are, for libanysl a `const AnyslInstance *`;
+                  standard: null, or its AnyslStandardLight, for values that are sent to it */
   const char
       *handle; /**< what getlights() calls it, a name that call_method knows; null: left out */
+  const AnyslCell *params; /**< shader: its parameters' values, for where its code is linked into
+                              surfaces; null: it is not to be run there */
+  uint64_t code;           /**< shader: which code it runs, as in AnyslShaderInfo */
 } AnyslLight;
 
 struct AnyslShadeArgs;
@@ -446,6 +450,7 @@ typedef struct AnyslShaderInfo {
   uint32_t effects;  /**< bit i: effect i of lib/STC/Effects.def is there */
   /** Computes the defaults of the parameters that param_is_set does not name, into params. */
   void (*init)(const AnyslShadeArgs *args);
+  uint64_t code; /**< of source, real and math tier: where it is the same, so is what comes out */
 } AnyslShaderInfo;
 
 typedef struct AnyslLibraryInfo {

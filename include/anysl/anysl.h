@@ -44,7 +44,7 @@ extern "C" {
 #define ANYSL_ASSERT_SIZE(type, size)                                                              \
   typedef char anysl_size_of_##type[sizeof(void *) != 8 || sizeof(type) == (size) ? 1 : -1]
 ANYSL_ASSERT_SIZE(AnyslCell, 8);
-ANYSL_ASSERT_SIZE(AnyslLight, 80);
+ANYSL_ASSERT_SIZE(AnyslLight, 96);
 ANYSL_ASSERT_SIZE(AnyslServices, 200);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
 ANYSL_ASSERT_SIZE(AnyslTexturePoints, 120);
@@ -54,7 +54,7 @@ ANYSL_ASSERT_SIZE(AnyslShadeArgs, 144);
 ANYSL_ASSERT_SIZE(AnyslQuery, 40);
 ANYSL_ASSERT_SIZE(AnyslParamInfo, 24);
 ANYSL_ASSERT_SIZE(AnyslEntryInfo, 16);
-ANYSL_ASSERT_SIZE(AnyslShaderInfo, 72);
+ANYSL_ASSERT_SIZE(AnyslShaderInfo, 80);
 ANYSL_ASSERT_SIZE(AnyslLibraryInfo, 104);
 #undef ANYSL_ASSERT_SIZE
 

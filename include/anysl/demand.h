@@ -49,7 +49,9 @@ enum {
   ANYSL_KNOWN_FROM = 2,
   ANYSL_KNOWN_DIRECTION = 4,
   ANYSL_KNOWN_CONE = 8, /**< cos_outer and cos_inner */
-  ANYSL_KNOWN_BEAM = 16
+  ANYSL_KNOWN_BEAM = 16,
+  ANYSL_KNOWN_CATEGORY = 32,
+  ANYSL_KNOWN_CODE = 64 /**< of a light shader, which then runs within the surface */
 };
 
 /** A light that is linked into shaders: its kind, and of its other values those that are known. */
@@ -68,19 +70,29 @@ typedef struct AnyslSourceInfo {
                                as it is, or makes it Os; 0: not known */
 } AnyslSourceInfo;
 
+/** A global that is the same at all points of a scene. */
+typedef struct AnyslFixedGlobal {
+  uint32_t global; /**< ANYSL_Os ... */
+  uint32_t reserved;
+  double value[3];
+} AnyslFixedGlobal;
+
 typedef struct AnyslDemandInfo {
   uint32_t struct_size;
-  uint32_t assumes;            /**< bit 1 << ANYSL_ASSUMES_...: what the scene does without */
-  uint64_t digest;             /**< of the manifest: equal for equal demands */
-  const char *manifest;        /**< what it was linked for, as JSON (docs/effects.md) */
-  const char *dropped_outputs; /**< names of the outputs nobody looks at, with commas: output
-                                    parameters, and "Ci" or "Oi" of surfaces */
-  double time;                 /**< of all points, where no motion is assumed */
+  uint32_t assumes;               /**< bit 1 << ANYSL_ASSUMES_...: what the scene does without */
+  uint64_t digest;                /**< of the manifest: equal for equal demands */
+  const char *manifest;           /**< what it was linked for, as JSON (docs/effects.md) */
+  const char *dropped_outputs;    /**< names of the outputs nobody looks at, with commas: output
+                                       parameters, and "Ci" or "Oi" of surfaces */
+  double time;                    /**< of all points, where no motion is assumed */
   const AnyslSourceInfo *sources; /**< of each shader of the library */
   const AnyslLinkedLight *lights; /**< those that shine on all points, in the batch's order; null:
                                        any may */
   uint32_t light_count;
-  uint32_t reserved;
+  uint32_t ambient_known; /**< 1: ambient lights add up to `ambient` in every batch */
+  float ambient[3];
+  uint32_t fixed_global_count;
+  const AnyslFixedGlobal *fixed_globals;
 } AnyslDemandInfo;
 
 /** What a renderer's scene has, and wants to see. */
@@ -93,6 +105,7 @@ typedef struct AnyslSceneFacts {
   double time;                /**< of all points, where it has no motion */
   const AnyslLight *lights;   /**< that shine on all points; asked for where lights are linked in */
   uint32_t light_count;
+  float ambient[3]; /**< what ambient lights add up to; likewise */
 } AnyslSceneFacts;
 
 /** What a library was linked for; null of one that serves every scene. Lives as long as the

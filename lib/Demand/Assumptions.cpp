@@ -37,12 +37,14 @@ std::span<const LightDemand> Demand::linkedLights() const {
   return *eachLight;
 }
 
-void Demand::setLights(std::vector<LightDemand> each, bool ambient) {
+void Demand::setLights(std::vector<LightDemand> each, bool hasAmbient,
+                       std::optional<std::array<float, 3>> sum) {
   std::set<std::string> kinds;
   for (const LightDemand &light : each)
     kinds.insert(light.kind);
-  if (ambient)
+  if (hasAmbient)
     kinds.emplace(ambientLight);
+  ambient = hasAmbient ? sum : std::array<float, 3>{};
   lights.emplace(kinds.begin(), kinds.end());
   eachLight = std::move(each);
 }

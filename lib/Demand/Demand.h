@@ -36,11 +36,14 @@ struct ShaderDemand {
 struct LightDemand {
   std::string kind; ///< the name of its light source or light shader
   AnyslLinkedLight values = {};
+  std::string category; ///< if it is known; `values` have none
 };
 
 /// What a scene calls for. What is not said is not known, and kept.
 struct Demand {
   std::map<std::string, ShaderDemand, std::less<>> shaders;
+  /// Globals that are the same at all points that surfaces are run for: "Cs", "Os".
+  std::map<std::string, std::array<double, 3>, std::less<>> globals;
   /// The outputs that somebody looks at: output parameters, "Ci", "Oi".
   std::optional<std::vector<std::string>> outputs;
   /// Names of parameters that other shaders of the scene ask for or set.
@@ -50,6 +53,8 @@ struct Demand {
   /// The lights that shine, each of them, in the order in which the renderer has them; ambient ones
   /// do not count. Nothing: any number of those kinds, or not the same on all points.
   std::optional<std::vector<LightDemand>> eachLight;
+  /// What ambient ones add up to.
+  std::optional<std::array<float, 3>> ambient;
   std::optional<bool> shadows; ///< whether some light casts shadows
   /// Whether shaders that run for points of others (lights, volumes, methods) trace rays there.
   std::optional<bool> othersTrace;
@@ -65,8 +70,10 @@ struct Demand {
   uint32_t assumptions() const;
   /// The lights to be linked in; none if they are not known or there are too many.
   std::span<const LightDemand> linkedLights() const;
-  /// Makes these the lights that shine, each of them. `ambient`: and ambient ones besides.
-  void setLights(std::vector<LightDemand> each, bool ambient);
+  /// Makes these the lights that shine, each of them. `hasAmbient`: and ambient ones besides, which
+  /// add up to `sum`, if that is known.
+  void setLights(std::vector<LightDemand> each, bool hasAmbient,
+                 std::optional<std::array<float, 3>> sum = std::nullopt);
 };
 
 /// The AnyslLightKind of a light source of the standard; ANYSL_LIGHT_SHADER of any other, and of
@@ -103,6 +110,9 @@ void addShader(Demand &demand, const std::set<std::string> &variables,
 /// these then has all that are left.
 std::vector<std::vector<const render::ShaderUse *>>
 alikeUses(std::span<const render::ShaderUse *const> uses, size_t most);
+/// The globals that are the same on some shapes, as the scene states them.
+std::map<std::string, std::array<double, 3>, std::less<>>
+fixedGlobals(const render::SceneDescription &scene, std::span<const render::Shape *const> shapes);
 /// A scene's demand with all its shaders.
 Demand demandOfAll(const render::SceneDescription &scene);
 

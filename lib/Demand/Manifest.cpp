@@ -114,6 +114,22 @@ Demand readManifest(const std::shared_ptr<const SourceFile> &file) {
          for (const Json::Member &member : value.members)
            result.shaders[member.key] = readShader(member.value, member.key, isComplete);
        }},
+      {"globals",
+       [&](const Json &value, const std::string &key) {
+         expect(value, Json::Object, key);
+         auto set = [&](const Json &given, const std::string &name) {
+           std::vector<double> numbers{given.number};
+           if (given.kind != Json::Number)
+             numbers = readNumbers(given, name);
+           if (numbers.size() == 1)
+             numbers.assign(3, numbers[0]);
+           if (numbers.size() != 3)
+             throw UserError(given.where, "\"" + name + "\" has 3 numbers");
+           std::copy_n(numbers.begin(), 3, result.globals[name].begin());
+         };
+         const Key globals[] = {{"Cs", set}, {"Os", set}};
+         readMembers(value, "\"" + key + "\"", globals);
+       }},
       {"outputs", texts(result.outputs)},
       {"asked", texts(result.asked)},
       {"lights",
@@ -191,6 +207,14 @@ std::string writeManifest(const Demand &demand, bool places) {
                  ", \"parameters\": {" + parameters + "}}";
     }
     result += "{" + shaders + "}";
+  }
+  if (!demand.globals.empty()) {
+    key("globals");
+    std::string globals;
+    for (const auto &[name, value] : demand.globals)
+      globals += (globals.empty() ? "" : ", ") + quoted(name) + ": [" + shortest(value[0]) + ", " +
+                 shortest(value[1]) + ", " + shortest(value[2]) + "]";
+    result += "{" + globals + "}";
   }
   texts("outputs", demand.outputs);
   texts("asked", demand.asked);

@@ -25,20 +25,22 @@ struct Field {
 };
 
 constexpr unsigned bits(auto... kinds) { return ((1u << kinds) | ...); }
+constexpr unsigned ambientBit = 1u << 31; // such lights have no kind
 constexpr unsigned anyStandard = bits(ANYSL_LIGHT_DISTANT, ANYSL_LIGHT_POINT, ANYSL_LIGHT_SPOT);
 
-const Field fields[] = {
-    {"color", anyStandard, ANYSL_KNOWN_COLOR, 3, [](AnyslLight &light) { return light.color; }},
-    {"from", bits(ANYSL_LIGHT_POINT, ANYSL_LIGHT_SPOT), ANYSL_KNOWN_FROM, 3,
-     [](AnyslLight &light) { return light.from; }},
-    {"direction", bits(ANYSL_LIGHT_DISTANT, ANYSL_LIGHT_SPOT), ANYSL_KNOWN_DIRECTION, 3,
-     [](AnyslLight &light) { return light.direction; }},
-    {"cosOuter", bits(ANYSL_LIGHT_SPOT), ANYSL_KNOWN_CONE, 1,
-     [](AnyslLight &light) { return &light.cos_outer; }},
-    {"cosInner", bits(ANYSL_LIGHT_SPOT), ANYSL_KNOWN_CONE, 1,
-     [](AnyslLight &light) { return &light.cos_inner; }},
-    {"beam", bits(ANYSL_LIGHT_SPOT), ANYSL_KNOWN_BEAM, 1,
-     [](AnyslLight &light) { return &light.beam; }}};
+const Field fields[] = {{"color", anyStandard | ambientBit, ANYSL_KNOWN_COLOR, 3,
+                         [](AnyslLight &light) { return light.color; }},
+                        {"from", bits(ANYSL_LIGHT_POINT, ANYSL_LIGHT_SPOT), ANYSL_KNOWN_FROM, 3,
+                         [](AnyslLight &light) { return light.from; }},
+                        {"direction", bits(ANYSL_LIGHT_DISTANT, ANYSL_LIGHT_SPOT),
+                         ANYSL_KNOWN_DIRECTION, 3,
+                         [](AnyslLight &light) { return light.direction; }},
+                        {"cosOuter", bits(ANYSL_LIGHT_SPOT), ANYSL_KNOWN_CONE, 1,
+                         [](AnyslLight &light) { return &light.cos_outer; }},
+                        {"cosInner", bits(ANYSL_LIGHT_SPOT), ANYSL_KNOWN_CONE, 1,
+                         [](AnyslLight &light) { return &light.cos_inner; }},
+                        {"beam", bits(ANYSL_LIGHT_SPOT), ANYSL_KNOWN_BEAM, 1,
+                         [](AnyslLight &light) { return &light.beam; }}};
 
 struct Flag {
   const char *name;
@@ -59,9 +61,10 @@ std::string readKind(const Json &object) {
 }
 
 LightDemand readLight(const Json &object) {
-  LightDemand light{readKind(object)};
+  LightDemand light;
+  light.kind = readKind(object);
   light.values.light.kind = standardKind(light.kind);
-  const unsigned kind = light.kind == ambientLight ? 0 : 1u << light.values.light.kind;
+  const unsigned kind = light.kind == ambientLight ? ambientBit : 1u << light.values.light.kind;
   std::vector<Key> keys{{"kind", [](const Json &, const std::string &) {}}};
   for (const Flag &flag : flags)
     if (flag.kinds & kind)
@@ -69,6 +72,12 @@ LightDemand readLight(const Json &object) {
                         light.values.known_flags |= flag.bit;
                         light.values.light.flags |= readBool(value, key) ? flag.bit : 0;
                       }});
+  if (kind != ambientBit)
+    keys.push_back({"category", [&](const Json &value, const std::string &key) {
+                      expect(value, Json::Text, key);
+                      light.values.known |= ANYSL_KNOWN_CATEGORY;
+                      light.category = value.text;
+                    }});
   unsigned cone = 0; // how much of it is given
   for (const Field &field : fields)
     if (field.kinds & kind)
@@ -122,14 +131,20 @@ void readLights(const Json &value, const std::string &key, Demand &demand) {
     throw UserError(other->where, "\"lights\" are either names of kinds or objects, not both");
   std::vector<LightDemand> each;
   bool hasAmbient = false;
+  std::optional sum = std::array<float, 3>{};
   for (const Json &item : value.items) {
     LightDemand light = readLight(item);
-    if (light.kind == ambientLight)
-      hasAmbient = true;
-    else
+    if (light.kind != ambientLight) {
       each.push_back(std::move(light));
+      continue;
+    }
+    hasAmbient = true;
+    if (!(light.values.known & ANYSL_KNOWN_COLOR))
+      sum.reset();
+    for (size_t c = 0; sum && c < 3; ++c)
+      (*sum)[c] += light.values.light.color[c];
   }
-  demand.setLights(std::move(each), hasAmbient);
+  demand.setLights(std::move(each), hasAmbient, sum);
 }
 
 void addShadows(const Json &manifest, Demand &demand) {
@@ -151,6 +166,12 @@ void addShadows(const Json &manifest, Demand &demand) {
 
 std::string writeLights(const Demand &demand) {
   std::string result;
+  auto numbersOf = [](const float *numbers, size_t count) {
+    std::string text;
+    for (size_t i = 0; i < count; ++i)
+      text += (i ? ", " : "") + shortest(numbers[i]);
+    return count == 1 ? text : "[" + text + "]";
+  };
   auto add = [&](const std::string &kind, const std::string &values) {
     result += (result.empty() ? "" : ", ") + ("{\"kind\": " + quoted(kind)) + values + "}";
   };
@@ -165,17 +186,19 @@ std::string writeLights(const Demand &demand) {
     for (const Field &field : fields) {
       if (!(light.values.known & field.known))
         continue;
-      std::string numbers;
-      for (size_t i = 0; i < field.count; ++i)
-        numbers += (i ? ", " : "") + shortest(field.find(light.values.light)[i]);
       key(field.name);
-      values += field.count == 1 ? numbers : "[" + numbers + "]";
+      values += numbersOf(field.find(light.values.light), field.count);
+    }
+    if (light.values.known & ANYSL_KNOWN_CATEGORY) {
+      key("category");
+      values += quoted(light.category);
     }
     add(light.kind, values);
   }
   if (demand.lights &&
       std::find(demand.lights->begin(), demand.lights->end(), ambientLight) != demand.lights->end())
-    add(std::string(ambientLight), "");
+    add(std::string(ambientLight),
+        demand.ambient ? ", \"color\": " + numbersOf(demand.ambient->data(), 3) : "");
   return "[" + result + "]";
 }
 

@@ -58,13 +58,20 @@ std::optional<Value> valueOf(const Parameter &parameter) {
 
 /// A light of a standard kind, as far as every renderer that reads the scene has the same of it:
 /// positions and directions depend on the space in which it shades, colours and angles on how it
-/// rounds. Nothing where a renderer may have several lights for it, or shaders.
+/// rounds; of a light shader only that it is one. Nothing where a renderer may have several lights
+/// for it.
 std::optional<LightDemand> lightOf(const LightUse &light) {
-  LightDemand result{light.name};
+  LightDemand result;
+  result.kind = light.name;
   AnyslLight &values = result.values.light;
   values.kind = standardKind(light.name);
-  if (values.kind == ANYSL_LIGHT_SHADER || !light.shapes.empty())
+  if (!light.shapes.empty())
     return std::nullopt;
+  if (values.kind == ANYSL_LIGHT_SHADER) {
+    // One that is to cast shadows may look for them itself.
+    result.values.known_flags = light.castsShadow ? 0 : ANYSL_LIGHT_CASTS_SHADOW;
+    return result;
+  }
   auto flag = [&](uint32_t bit, bool isSet) {
     result.values.known_flags |= bit;
     values.flags |= isSet ? bit : 0;
@@ -80,10 +87,15 @@ std::optional<LightDemand> lightOf(const LightUse &light) {
     flag(ANYSL_LIGHT_NONDIFFUSE, *given != 0);
   if (auto given = number("__nonspecular", 0))
     flag(ANYSL_LIGHT_NONSPECULAR, *given != 0);
+  const Parameter *category = findParameter(light.parameters, "__category");
+  if (!category || category->strings.size() == 1) {
+    result.values.known |= ANYSL_KNOWN_CATEGORY;
+    result.category = category ? category->strings[0] : "";
+  }
   auto beam = number("beamdistribution", 2);
   if (values.kind == ANYSL_LIGHT_SPOT && beam) {
     values.beam = float(*beam);
-    result.values.known = finiteFields(values) & ANYSL_KNOWN_BEAM;
+    result.values.known |= finiteFields(values) & ANYSL_KNOWN_BEAM;
   }
   return result;
 }
@@ -220,9 +232,37 @@ std::vector<std::vector<const ShaderUse *>> alikeUses(std::span<const ShaderUse 
   return result;
 }
 
+std::map<std::string, std::array<double, 3>, std::less<>>
+fixedGlobals(const SceneDescription &scene, std::span<const Shape *const> shapes) {
+  std::map<std::string, std::array<double, 3>, std::less<>> result;
+  auto add = [&](const char *name, render::Vec3d Appearance::*value) {
+    std::optional<Vec3d> same;
+    for (const Shape *shape : shapes) {
+      const Vec3d &its = scene.appearances[shape->appearance].*value;
+      if (findParameter(shape->variables, name) || (same && *same != its))
+        return;
+      same = its;
+    }
+    if (same)
+      result[name] = {same->x, same->y, same->z};
+  };
+  add("Cs", &Appearance::color);
+  add("Os", &Appearance::opacity);
+  return result;
+}
+
 Demand demandOfAll(const SceneDescription &scene) {
   Demand result = demandOf(scene);
   addLights(scene, result);
+  std::vector<const Shape *> shapes;
+  for (const Shape &shape : scene.shapes)
+    shapes.push_back(&shape);
+  result.globals = fixedGlobals(scene, shapes);
+  // What has to be rounded is left to the renderer.
+  std::erase_if(result.globals, [](const auto &entry) {
+    return std::any_of(entry.second.begin(), entry.second.end(),
+                       [](double x) { return double(float(x)) != x; });
+  });
   UsedShaders used(scene);
   std::map<std::string, std::vector<const ShaderUse *>> uses;
   auto add = [&](const ShaderUse &use) { uses[shaderName(use.name)].push_back(&use); };

@@ -128,12 +128,33 @@ AnyslStatus noSuchGlobal(const AnyslBatch &batch, int global) {
   return fail(ANYSL_ERROR_NAME, context(*batch.library, *batch.shader) + problem);
 }
 
+/// Fails if a global is to be something else than what a library was linked for.
+template <class Value>
+AnyslStatus checkFixed(const AnyslBatch &batch, int global, uint32_t count, const Value *values,
+                       size_t stride) {
+  const AnyslFixedGlobal *fixed = fixedGlobal(*batch.library, global);
+  if (!fixed || batch.shader->kind != ANYSL_SURFACE)
+    return ANYSL_OK;
+  bool isDouble = batch.library->info->real == ANYSL_REAL_DOUBLE;
+  auto rounded = [&](double x) { return isDouble ? x : double(float(x)); };
+  for (uint32_t i = 0; i < count; ++i)
+    for (size_t c = 0; c < 3; ++c)
+      if (rounded(double(values[i * stride + c])) != rounded(fixed->value[c]))
+        return fail(ANYSL_ERROR_STATE, context(*batch.library, *batch.shader) +
+                                           "the library was linked for a scene where '" +
+                                           anysl_global_name(global) +
+                                           "' is the same everywhere, and here it is another");
+  return ANYSL_OK;
+}
+
 template <class Value>
 AnyslStatus writeGlobal(AnyslBatch &batch, int global, uint32_t first, uint32_t count,
                         const Value *values, size_t stride) {
   if (!anysl_global_name(global))
     return noSuchGlobal(batch, global);
   if (AnyslStatus status = checkRange(batch, first, count))
+    return status;
+  if (AnyslStatus status = checkFixed(batch, global, count, values, stride))
     return status;
   if (!(batch.globals >> global & 1) || !count)
     return ANYSL_OK;
@@ -356,8 +377,8 @@ AnyslStatus shade(const AnyslInstance &instance, const AnyslBatch &batch, uint32
                                        "no code for width " + std::to_string(width) + "; it has " +
                                        widths);
   }
-  if (AnyslStatus status =
-          checkLights(*instance.library, batch.args.lights, batch.args.light_count))
+  if (AnyslStatus status = checkLights(*instance.library, batch.args.lights, batch.args.light_count,
+                                       batch.args.ambient))
     return status;
   // A copy, so that threads can shade different ranges of one batch.
   AnyslShadeArgs args = batch.args;

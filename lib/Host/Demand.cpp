@@ -84,11 +84,20 @@ std::string difference(const AnyslLinkedLight &linked, const AnyslLight &light) 
     if (linked.known & part.known &&
         std::memcmp(part.wanted, part.given, part.count * sizeof(float)))
       return std::string("has another ") + part.name + " than here";
+  if (linked.known & ANYSL_KNOWN_CODE && (wanted.code != light.code || !light.params))
+    return "runs other code than here";
+  auto words = [](const char *category) { return std::string_view(category ? category : ""); };
+  if (linked.known & ANYSL_KNOWN_CATEGORY && words(wanted.category) != words(light.category))
+    return "is of category \"" + std::string(words(wanted.category)) + "\", and here of \"" +
+           std::string(words(light.category)) + "\"";
   return {};
 }
 
 /// The same of all lights.
-std::string otherLights(const AnyslDemandInfo &demand, const AnyslLight *lights, uint32_t count) {
+std::string otherLights(const AnyslDemandInfo &demand, const AnyslLight *lights, uint32_t count,
+                        const float (&ambient)[3]) {
+  if (demand.ambient_known && std::memcmp(demand.ambient, ambient, sizeof ambient))
+    return "whose ambient lights add up to other light than here";
   if (demand.assumes & 1u << ANYSL_ASSUMES_NO_LIGHT_SHADERS &&
       std::any_of(lights, lights + count,
                   [](auto &light) { return light.kind == ANYSL_LIGHT_SHADER; }))
@@ -131,6 +140,13 @@ bool anysl::host::isDropped(const AnyslDemandInfo &demand, std::string_view outp
   return false;
 }
 
+const AnyslFixedGlobal *anysl::host::fixedGlobal(const LoadedLibrary &library, int global) {
+  for (uint32_t i = 0; library.demand && i < library.demand->fixed_global_count; ++i)
+    if (library.demand->fixed_globals[i].global == uint32_t(global))
+      return &library.demand->fixed_globals[i];
+  return nullptr;
+}
+
 AnyslSourceInfo anysl::host::sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader) {
   if (library.demand)
     return library.demand->sources[&shader - library.info->shaders];
@@ -142,18 +158,19 @@ AnyslStatus anysl::host::checkDemand(const LoadedLibrary &library, const AnyslSc
 }
 
 AnyslStatus anysl::host::checkLights(const LoadedLibrary &library, const AnyslLight *lights,
-                                     uint32_t count) {
-  return library.demand ? refuse(library, otherLights(*library.demand, lights, count)) : ANYSL_OK;
+                                     uint32_t count, const float (&ambient)[3]) {
+  return library.demand ? refuse(library, otherLights(*library.demand, lights, count, ambient))
+                        : ANYSL_OK;
 }
 
 /// With its lights.
 static AnyslStatus checkScene(const LoadedLibrary &library, const AnyslSceneFacts &facts) {
   AnyslStatus status = checkDemand(library, facts);
   // A host that knows less facts than this header says nothing of its lights.
-  bool hasLights = facts.struct_size >= sizeof facts;
-  return status ? status
-                : checkLights(library, hasLights ? facts.lights : nullptr,
-                              hasLights ? facts.light_count : 0);
+  static constexpr float none[3] = {};
+  if (!status && facts.struct_size < sizeof facts)
+    return checkLights(library, nullptr, 0, none);
+  return status ? status : checkLights(library, facts.lights, facts.light_count, facts.ambient);
 }
 
 extern "C" {

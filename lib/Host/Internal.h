@@ -78,10 +78,14 @@ const AnyslDemandInfo *findDemand(void *handle);
 bool isDropped(const AnyslDemandInfo &demand, std::string_view output);
 /// What a shader of a library could do for any scene.
 AnyslSourceInfo sourceOf(const LoadedLibrary &library, const AnyslShaderInfo &shader);
+/// A global that the library takes for the same at all points; null: it asks for it, or for none.
+const AnyslFixedGlobal *fixedGlobal(const LoadedLibrary &library, int global);
 /// Fails if the library lacks what a scene calls for, apart from its lights.
 AnyslStatus checkDemand(const LoadedLibrary &library, const AnyslSceneFacts &facts);
 /// Fails if other lights are linked into the library than these, or it has none for them.
-AnyslStatus checkLights(const LoadedLibrary &library, const AnyslLight *lights, uint32_t count);
+/// `ambient`: what ambient ones add up to.
+AnyslStatus checkLights(const LoadedLibrary &library, const AnyslLight *lights, uint32_t count,
+                        const float (&ambient)[3]);
 
 /// What the processor lacks of a comma-separated list of x86 features, in the list's own words;
 /// empty if nothing. A name that is not known counts as lacking.

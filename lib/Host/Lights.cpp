@@ -46,6 +46,9 @@ AnyslStatus fromInstance(const AnyslInstance &instance, AnyslLight &light) {
   light = {};
   light.kind = ANYSL_LIGHT_SHADER;
   light.shader = &instance;
+  static constexpr AnyslCell none = {};
+  light.params = instance.cells.empty() ? &none : instance.cells.data();
+  light.code = shader.code;
   bool computed = false;
   if (readFlag(instance, "__nondiffuse", computed))
     light.flags |= ANYSL_LIGHT_NONDIFFUSE;

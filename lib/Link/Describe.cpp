@@ -71,14 +71,29 @@ private:
                                               u32(shader.keepsOpacity)}));
     SmallVector<Constant *> lights;
     if (!session.report.linkedLights.empty())
-      for (const demand::LightDemand &light : linkedLights(session))
-        lights.push_back(
-            checked(sizeof(AnyslLinkedLight), lightConstant(session.context, light.values)));
-    Constant *info =
-        structure(sizeof(AnyslDemandInfo),
-                  {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
-                   u64(xxh3_64bits(manifest)), text(manifest), text(join(dropped, ",")), time,
-                   array(sources), array(lights), u32(unsigned(lights.size())), u32(0)});
+      for (auto [number, its] : enumerate(linkedLights(session))) {
+        demand::LightDemand light = its;
+        if (number < session.lightCode.size() && session.lightCode[number].isCalled) {
+          light.values.known |= ANYSL_KNOWN_CODE;
+          light.values.light.code = session.lightCode[number].code;
+        }
+        lights.push_back(checked(sizeof(AnyslLinkedLight), lightConstant(module, light)));
+      }
+    std::array<float, 3> ambient{};
+    if (session.linksAmbient)
+      ambient = *linkedAmbient(session);
+    SmallVector<Constant *> globals;
+    for (const auto &[global, value] : session.fixedGlobals)
+      globals.push_back(structure(
+          sizeof(AnyslFixedGlobal),
+          {u32(global), u32(0), ConstantDataArray::get(session.context, ArrayRef(value))}));
+    Constant *info = structure(sizeof(AnyslDemandInfo),
+                               {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
+                                u64(xxh3_64bits(manifest)), text(manifest),
+                                text(join(dropped, ",")), time, array(sources), array(lights),
+                                u32(unsigned(lights.size())), u32(session.linksAmbient),
+                                ConstantDataArray::get(session.context, ArrayRef(ambient)),
+                                u32(unsigned(globals.size())), array(globals)});
     auto *variable = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                         GlobalValue::ExternalLinkage, info, ANYSL_DEMAND_SYMBOL);
     variable->setAlignment(Align(8));
@@ -150,7 +165,7 @@ private:
                      {text(shader.info.name), u32(uint32_t(shader.info.kind)),
                       u32(unsigned(params.size())), array(params), u32(shader.info.cellCount()),
                       u32(unsigned(entries.size())), array(entries), u64(read), u64(written),
-                      u32(shader.services), u32(shader.effects), shader.init});
+                      u32(shader.services), u32(shader.effects), shader.init, u64(shader.code)});
   }
 
   Session &session;

@@ -5,6 +5,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Link/LightCode.h"
 #include "lib/Link/SceneLights.h"
 #include "lib/STC/Writer.h"
 #include "llvm/ADT/STLExtras.h"
@@ -289,7 +290,12 @@ bool readInputs(Session &session, ArrayRef<std::string> files) {
                         (files.size() == 1 ? "'" + files[0] + "'" : "these files"));
     good = false;
   }
-  return good && openLayers(session);
+  if (!good || !openLayers(session))
+    return false;
+  for (Shader &shader : session.shaders)
+    if (shader.info.kind == stc::ShaderKind::Light)
+      shader.code = codeOf(session, shader.info);
+  return true;
 }
 
 } // namespace anysl::link

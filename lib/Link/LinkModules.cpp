@@ -12,6 +12,7 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Link/LightCode.h"
 #include "lib/Link/NeutralOps.h"
 #include "lib/Link/Prune.h"
 #include "lib/Link/Session.h"
@@ -48,8 +49,9 @@ public:
     // The user's own files come last and win: they may define operators as well.
     if (Module *unneeded = layerForScene())
       addModule("what the scene does without", unneeded);
-    for (stc::StcModule &file : session.files)
-      addModule("'" + file.path + "'", file.module.get());
+    for (auto *files : {&session.files, &session.lightFiles})
+      for (stc::StcModule &file : *files)
+        addModule("'" + file.path + "'", file.module.get());
   }
 
   /// Follows everything from the shaders and the runtime on; reads what it meets.
@@ -65,6 +67,11 @@ public:
     for (Shader &shader : session.shaders)
       for (Function *function : {shader.info.body, shader.info.init})
         requestValue(*function, {{}, shader.info.name, ""});
+    for (const LightCode &light : session.lightCode)
+      if (light.function) {
+        requestValue(*light.function, {});
+        request(info(stc::Op::linked_light_arrives).symbol(), {});
+      }
     while (!worklist.empty()) {
       auto [value, origin] = worklist.pop_back_val();
       scan(*value, origin);
@@ -283,8 +290,12 @@ bool ModuleLinker::merge() {
   // is the only one moved, so the order is a matter of taste; shaders first makes dumps easier to
   // read.
   std::vector<std::unique_ptr<Module>> modules;
-  for (stc::StcModule &file : session.files)
-    modules.push_back(std::move(file.module));
+  for (auto *files : {&session.files, &session.lightFiles})
+    for (stc::StcModule &file : *files)
+      modules.push_back(std::move(file.module));
+  SmallVector<std::string> lightNames;
+  for (const LightCode &light : session.lightCode)
+    lightNames.push_back(light.function ? light.function->getName().str() : "");
   for (Layer &layer : session.layers)
     modules.push_back(std::move(layer.module));
   for (std::unique_ptr<Module> &module : modules) {
@@ -305,12 +316,15 @@ bool ModuleLinker::merge() {
     }
   }
   session.files.clear();
+  session.lightFiles.clear();
   session.layers.clear();
 
   for (Shader &shader : session.shaders) {
     shader.info.body = session.module->getFunction(shader.symbol + ".body");
     shader.info.init = session.module->getFunction(shader.symbol + ".defaults");
   }
+  for (auto [light, name] : zip_equal(session.lightCode, lightNames))
+    light.function = name.empty() ? nullptr : session.module->getFunction(name);
   SmallVector<GlobalValue *> kept;
   for (StringRef name : variants.keys())
     kept.push_back(session.module->getNamedValue(name));
@@ -322,6 +336,8 @@ bool ModuleLinker::merge() {
 } // namespace
 
 bool linkModules(Session &session) {
+  if (!readLightCode(session))
+    return false;
   {
     ModuleLinker linker(session);
     if (!linker.follow())

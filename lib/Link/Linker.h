@@ -47,6 +47,8 @@ struct LinkOptions {
   bool plainOperators = false;
   /// What the scene calls for that the shaders are linked for; null: any scene.
   const demand::Demand *scene = nullptr;
+  /// Files of other shaders of the scene, of which the light shaders may be linked in.
+  std::vector<std::string> beside;
   /// Bits 1 << effect of Effects.def: effects that are left out although shaders have them, so that
   /// their cost can be measured. Results are 0.
   uint32_t withoutEffects = 0;

@@ -15,6 +15,7 @@
 
 #include "lib/Link/Prune.h"
 #include "lib/Link/Needs.h"
+#include "lib/Link/OperatorWriter.h"
 #include "lib/STC/Asking.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
@@ -55,6 +56,7 @@ public:
     leaveOutputsOut();
     dropUnused();
     shader.keepsOpacity = keepsOpacity(body);
+    fixGlobals();
     noteGlobals();
   }
 
@@ -108,7 +110,15 @@ private:
 
   /// Makes branches of constant conditions go one way, and takes away what no way leads to.
   void foldBranches() {
-    SlotConstants constants(body, session.real, sceneOracle(session));
+    SlotConstants constants(
+        body, session.real,
+        [this, scene = sceneOracle(session)](const CallInst &call, const stc::OpInfo &op) {
+          const auto *value = fixedValue(call, op);
+          return value ? SlotConstants::Known{std::nullopt,
+                                              SlotValue{{value->begin(), value->end()}, "", {}},
+                                              causeOf(call, op)}
+                       : scene(call, op);
+        });
     std::map<BasicBlock *, std::string> whyNot;
     SmallVector<std::pair<BranchInst *, bool>> decided;
     const DominatorTree dominators(body);
@@ -271,6 +281,43 @@ private:
                     false))
         result[needed].insert(name);
     return result;
+  }
+
+  /// What a call gives that loads a global which is the same at all points; null: something else.
+  const std::array<double, 3> *fixedValue(const CallInst &call, const stc::OpInfo &op) const {
+    if (!session.options.scene || shader.info.kind != stc::ShaderKind::Surface ||
+        op.op != Op::load_global_color)
+      return nullptr;
+    const auto &globals = session.options.scene->globals;
+    auto found = globals.find(stc::globalNumbered(unsigned(idOf(call, op)))->name.str());
+    return found == globals.end() ? nullptr : &found->second;
+  }
+
+  /// "Os = (1, 1, 1)".
+  std::string causeOf(const CallInst &call, const stc::OpInfo &op) const {
+    std::string result = stc::globalNumbered(unsigned(idOf(call, op)))->name.str();
+    raw_string_ostream stream(result);
+    const std::array<double, 3> &value = *fixedValue(call, op);
+    stream << format(" = (%g, %g, %g)", value[0], value[1], value[2]) << " everywhere";
+    return result;
+  }
+
+  /// Makes such loads constants.
+  void fixGlobals() {
+    OperatorWriter writer(*body.getParent());
+    for (Instruction &instruction : make_early_inc_range(instructions(body))) {
+      const stc::OpInfo *op = opOf(instruction);
+      if (!op || !fixedValue(cast<CallInst>(instruction), *op))
+        continue;
+      auto &call = cast<CallInst>(instruction);
+      const std::array<double, 3> &value = *fixedValue(call, *op);
+      std::string cause = causeOf(call, *op);
+      note(call, false, cause);
+      session.fixedGlobals[unsigned(idOf(call, *op))] = value;
+      writer.before(call, cause);
+      writer.construct(call.getArgOperand(0), stc::Type::colorTy, value);
+      call.eraseFromParent();
+    }
   }
 
   /// What is left, and the globals that are still asked for.

@@ -103,6 +103,7 @@ json::Value Report::toJson() const {
                       {"output", output},
                       {"outputBytes", int64_t(outputBytes)},
                       {"linkedLights", list(linkedLights)},
+                      {"linkedLightCode", list(linkedLightCode)},
                       {"lightLoops", lightLoops},
                       {"shaders", std::move(shaderList)},
                       {"stages", std::move(stages)}};
@@ -111,7 +112,9 @@ json::Value Report::toJson() const {
 void Report::printEffects(raw_ostream &out) const {
   if (!linkedLights.empty())
     out << "lights linked in: " << linkedLights.size() << " (" << join(linkedLights, ", ") << "); "
-        << lightLoops << (lightLoops == 1 ? " loop" : " loops") << " over them unrolled\n";
+        << lightLoops << (lightLoops == 1 ? " loop" : " loops") << " over them unrolled"
+        << (linkedLightCode.empty() ? "" : "; with the code of ") << join(linkedLightCode, ", ")
+        << '\n';
   for (const ShaderReport &shader : shaders) {
     out << "shader " << shader.name << ", " << shader.scalarInstructions << " instructions\n";
     // One line for calls that share everything but their place.

@@ -67,8 +67,9 @@ struct ShaderReport {
 
 struct Report {
   std::string runtime, real, math, cpu;
-  std::vector<std::string> linkedLights; ///< kinds of the lights that are linked in
-  unsigned lightLoops = 0;               ///< loops over lights that were unrolled for them
+  std::vector<std::string> linkedLights;    ///< kinds of the lights that are linked in
+  std::vector<std::string> linkedLightCode; ///< those of light shaders whose code is there, too
+  unsigned lightLoops = 0;                  ///< loops over lights that were unrolled for them
   std::vector<ShaderReport> shaders;
   std::vector<StageTime> times;
   std::string output;

@@ -16,8 +16,11 @@ namespace anysl::link {
 /// too many.
 llvm::ArrayRef<demand::LightDemand> linkedLights(const Session &session);
 
+/// What ambient lights add up to at every point of the session's shaders, if it is known.
+std::optional<std::array<float, 3>> linkedAmbient(const Session &session);
+
 /// An AnyslLinkedLight of <anysl/demand.h>.
-llvm::Constant *lightConstant(llvm::LLVMContext &context, const AnyslLinkedLight &light);
+llvm::Constant *lightConstant(llvm::Module &module, const demand::LightDemand &light);
 
 /// Gives a runtime the table of the lights.
 void adaptLights(const Session &session, llvm::Module &runtime);

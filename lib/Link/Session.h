@@ -53,12 +53,22 @@ struct Shader {
   /// Bits as in AnyslShaderInfo.
   uint32_t effects = 0;
   uint32_t services = 0;
+  /// As in AnyslShaderInfo.
+  uint64_t code = 0;
   /// Of the source, before a scene left anything out; as in AnyslSourceInfo.
   uint64_t sourceWritten = 0;
   uint32_t sourceEffects = 0;
   /// With a scene: whether it leaves Oi as it is, or makes it Os.
   bool keepsOpacity = false;
   ShaderReport report;
+};
+
+/// The code of a light shader that is linked in.
+struct LightCode {
+  /// void (ptr ctx, ptr P, ptr N, ptr L, ptr Cl, ptr Ol); null: it stays the renderer's.
+  llvm::Function *function = nullptr;
+  uint64_t code = 0;     ///< as in AnyslShaderInfo
+  bool isCalled = false; ///< by some shader
 };
 
 /// One link. Stages take it and change it; a stage that gives false has reported an error.
@@ -87,11 +97,19 @@ struct Session {
 
   /// Shaders' files; their modules are used up by `link`.
   std::vector<stc::StcModule> files;
+  /// Those of light shaders that are linked in; used up as well.
+  std::vector<stc::StcModule> lightFiles;
   /// Shading library, real, runtime, math tier; used up by `link`.
   std::vector<Layer> layers;
   /// The widths to build, in ascending order.
   std::vector<unsigned> widths;
   std::vector<Shader> shaders;
+  /// By the number of the light; where there is none it stays the renderer's.
+  std::vector<LightCode> lightCode;
+  /// Globals whose loads became constants, as a scene has them.
+  std::map<unsigned, std::array<double, 3>> fixedGlobals;
+  /// Whether what ambient lights add up to is linked in, and asked for.
+  bool linksAmbient = false;
   std::unique_ptr<llvm::Module> module;
   Report report;
 };

@@ -232,7 +232,8 @@ bool SlotConstants::visitCall(CallInst &call, State &state) {
     bool untouched = known && !known->value && param.kind != ParamKind::Out;
     if (known && known->value && param.kind == ParamKind::Out) {
       SlotValue value = *known->value;
-      value.numbers.assign(stc::info(param.type).components, 0);
+      if (value.numbers.empty())
+        value.numbers.assign(stc::info(param.type).components, 0);
       value.causes.insert(known->cause);
       state[operand] = std::move(value);
     } else if (hasValue && isFirst && param.kind == ParamKind::Out) {

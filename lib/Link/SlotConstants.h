@@ -37,7 +37,7 @@ inline constexpr llvm::StringLiteral causeMetadata = "anysl.cause";
 class SlotConstants {
 public:
   /// What is known of a call besides: the outcome of a test, or the value that it gives its first
-  /// Out operand. Either may be missing.
+  /// Out operand, 0 if that has no numbers. Either may be missing.
   struct Known {
     std::optional<uint64_t> result;
     std::optional<SlotValue> value;

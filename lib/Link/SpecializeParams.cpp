@@ -11,9 +11,9 @@
 //
 //===------------------------------------------------------------------------------------------===//
 
+#include "lib/Link/OperatorWriter.h"
 #include "lib/Link/Prune.h"
 #include "llvm/ADT/STLExtras.h"
-#include "llvm/IR/IRBuilder.h"
 #include "llvm/IR/InstIterator.h"
 
 using namespace llvm;
@@ -141,72 +141,17 @@ bool parseOption(Session &session, StringRef option, std::vector<FixedValue> &va
   return found;
 }
 
-/// Writes operators into one module.
-class OperatorWriter {
-public:
-  OperatorWriter(Module &module) : module(module), builder(module.getContext()) {}
-
-  /// Fills `slot` with element `element` of the constant, just before `before`.
-  void construct(Value *slot, stc::Type type, const FixedValue &value, unsigned element,
-                 Instruction &before) {
-    builder.SetInsertPoint(&before);
-    cause = value.cause;
-    unsigned components = info(type).components, first = element * components;
-    switch (type) {
-    case stc::Type::floatTy:
-      call(stc::Op::const_float, {slot, number(value.numbers[first])});
-      return;
-    case stc::Type::stringTy: {
-      // Goes into the module as the shader's own text would.
-      auto *data = ConstantDataArray::getString(module.getContext(), value.texts[first]);
-      auto *text = new GlobalVariable(module, data->getType(), true, GlobalValue::PrivateLinkage,
-                                      data, "param");
-      call(stc::Op::const_string, {slot, text});
-      return;
-    }
-    default:
-      break;
-    }
-    SmallVector<Value *> operands{slot};
-    for (unsigned i = 0; i < components; ++i) {
-      Value *component = alloc(stc::Type::floatTy, *before.getFunction());
-      call(stc::Op::const_float, {component, number(value.numbers[first + i])});
-      operands.push_back(component);
-    }
-    call(type == stc::Type::colorTy    ? stc::Op::make_color
-         : type == stc::Type::matrixTy ? stc::Op::make_matrix
-                                       : stc::Op::make_vector,
-         operands);
-  }
-
-  Value *alloc(stc::Type type, Function &function) {
-    IRBuilderBase::InsertPointGuard guard(builder);
-    DebugLoc location = builder.getCurrentDebugLocation();
-    builder.SetInsertPoint(&function.getEntryBlock(), function.getEntryBlock().begin());
-    builder.SetCurrentDebugLocation(location);
-    std::string symbol = (Twine(stc::typeSymbolPrefix) + info(type).name).str();
-    return call(stc::Op::alloc, {module.getOrInsertGlobal(symbol, builder.getInt8Ty())});
-  }
-
-private:
-  Value *number(double value) { return ConstantFP::get(builder.getDoubleTy(), value); }
-
-  CallInst *call(stc::Op op, ArrayRef<Value *> operands) {
-    const stc::OpInfo &operation = info(op);
-    CallInst *made =
-        builder.CreateCall(module.getOrInsertFunction(operation.symbol(),
-                                                      functionType(module.getContext(), operation)),
-                           operands);
-    if (!cause.empty())
-      made->setMetadata(causeMetadata, MDNode::get(module.getContext(),
-                                                   MDString::get(module.getContext(), cause)));
-    return made;
-  }
-
-  Module &module;
-  IRBuilder<> builder;
-  StringRef cause; ///< of the constant being made
-};
+/// Fills `slot` with element `element` of a parameter's constant, just before `before`.
+void construct(OperatorWriter &writer, Value *slot, stc::Type type, const FixedValue &value,
+               unsigned element, Instruction &before) {
+  unsigned components = info(type).components;
+  bool isText = type == stc::Type::stringTy;
+  writer.before(before, value.cause);
+  writer.construct(slot, type,
+                   isText ? ArrayRef<double>()
+                          : ArrayRef(value.numbers).slice(element * components, components),
+                   isText ? value.texts[element] : "");
+}
 
 /// Replaces a call that concerns the fixed parameter, if it is one.
 void specializeCall(CallInst &call, const stc::OpInfo &op, const FixedValue &value,
@@ -229,15 +174,15 @@ void specializeCall(CallInst &call, const stc::OpInfo &op, const FixedValue &val
     return;
   unsigned element = (number - param.firstCell) / info(param.type).components;
   if (op.purity == stc::Purity::Reads) {
-    writer.construct(call.getArgOperand(0), param.type, value, element, call);
+    construct(writer, call.getArgOperand(0), param.type, value, element, call);
     call.eraseFromParent();
     return;
   }
   // A store of the default: of the constant instead.
   unsigned operand = unsigned(op.params.size() - 1);
-  Value *slot = writer.alloc(param.type, *call.getFunction());
-  cast<Instruction>(slot)->setDebugLoc(call.getDebugLoc());
-  writer.construct(slot, param.type, value, element, call);
+  writer.before(call);
+  Value *slot = writer.alloc(param.type);
+  construct(writer, slot, param.type, value, element, call);
   call.setArgOperand(operand, slot);
 }
 

@@ -141,6 +141,7 @@ void Lights::checkAllowed(const AnyslLibrary *library,
   }
   facts.lights = lights.data();
   facts.light_count = uint32_t(lights.size());
+  std::copy_n(ambient, 3, facts.ambient);
   std::vector<const char *> outputs;
   for (const std::string &result : results)
     outputs.push_back(result.c_str());

@@ -8,6 +8,8 @@
 // RUN: anysl-link effects.stc.bc -o shadow.so --scene shadow.json --width 1
 // RUN: echo '{"lights": [{"kind": "pointlight", "from": [0, 5, 0]}], "shaders": {"effects": {}}}' > lit.json
 // RUN: anysl-link effects.stc.bc -o lit.so --scene lit.json --width 1
+// RUN: echo '{"globals": {"Cs": [0.5, 0.1, 1]}, "lights": [{"kind": "ambientlight", "color": [1, 0, 0]}], "shaders": {}}' > fixed.json
+// RUN: printf 'surface fixed() { Ci = Cs * ambient(); Oi = Os; }' > fixed.sl && rslc fixed.sl -o fixed.stc.bc && anysl-link fixed.stc.bc -o fixed.so --scene fixed.json --width 1
 // RUN: clang -std=c99 -Wall -Werror %anysl_include %s %lib_dir/libanysl.a -lstdc++ -lm -o demand
 // RUN: ./demand | FileCheck %s
 // UNSUPPORTED: sanitizer
@@ -147,6 +149,35 @@ int main(void) {
   anysl_batch_free(points);
   anysl_instance_free(shader);
   anysl_library_close(lit);
+
+  // A global that is the same everywhere, and the sum of ambient lights, are what they are.
+  AnyslLibrary *fixed;
+  float colors[6] = {0.5f, 0.1f, 1, 0.5f, 0.1f, 0}, ambient[3] = {1, 0, 0}, result[3];
+  if (anysl_library_open("fixed.so", 0, &fixed) || anysl_instance_create(fixed, NULL, NULL, NULL, &shader) ||
+      anysl_batch_create(shader, 2, 0, &points))
+    return 1;
+  // CHECK: the colour: yes
+  show("the colour", anysl_batch_write_float(points, ANYSL_Cs, 0, 1, colors, 3));
+  // CHECK: another colour: fixed.so: {{.*}}the library was linked for a scene where 'Cs' is the same everywhere, and here it is another
+  show("another colour", anysl_batch_write_float(points, ANYSL_Cs, 0, 2, colors, 3));
+  // CHECK: no ambient light: fixed.so: the library was linked for a scene whose ambient lights add up to other light than here
+  show("no ambient light", anysl_shade(shader, points, 0, 1, 0));
+  anysl_batch_set_lights(points, NULL, 0, ambient);
+  // CHECK: ambient light: yes
+  // CHECK-NEXT: 0.5 0 0
+  show("ambient light", anysl_shade(shader, points, 0, 1, 0));
+  anysl_batch_read_float(points, ANYSL_Ci, 0, 1, result, 3);
+  printf("%g %g %g\n", (double)result[0], (double)result[1], (double)result[2]);
+  memset(&facts, 0, sizeof facts);
+  facts.struct_size = sizeof facts;
+  // CHECK: asked: fixed.so: the library was linked for a scene whose ambient lights add up to other light than here
+  show("asked", anysl_library_allows(fixed, &facts));
+  memcpy(facts.ambient, ambient, sizeof ambient);
+  // CHECK: asked: yes
+  show("asked", anysl_library_allows(fixed, &facts));
+  anysl_batch_free(points);
+  anysl_instance_free(shader);
+  anysl_library_close(fixed);
 
   if (anysl_instance_create(small, "effects", NULL, NULL, &instance))
     return 1;

@@ -67,8 +67,9 @@ cl::opt<std::string> sceneFile("scene",
                                         "leave out what it does not call for"),
                                cl::value_desc("FILE"), cl::cat(category));
 cl::list<std::string> beside("beside",
-                             cl::desc("With --scene: another shader of the scene, which is not "
-                                      "linked, but may ask these for their parameters"),
+                             cl::desc("With --scene: another shader of the scene, which may ask "
+                                      "these for their parameters, and which, if it is one of its "
+                                      "lights, may be linked into them"),
                              cl::value_desc("FILE.stc.bc"), cl::cat(category));
 cl::opt<bool> effects("effects", cl::desc("With --scene: print each effect, kept or dropped"),
                       cl::cat(category));
@@ -237,6 +238,7 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
     if (!scene)
       return false;
     options.scene = &*scene;
+    options.beside.assign(beside.begin(), beside.end());
   }
   if (decline != "neutral" && decline != "error") {
     diags.error("--decline=" + decline + ": there are neutral and error");

@@ -11,6 +11,7 @@
 #include "lib/Plot/Plot.h"
 #include "lib/Shade/Progress.h"
 #include "lib/Shade/Timing.h"
+#include "tools/anysl-render/Lights.h"
 #include "tools/anysl-render/Render.h"
 #include "tools/anysl-render/ReportFiles.h"
 #include "tools/anysl-render/SceneEffects.h"
@@ -95,6 +96,25 @@ void addUses(const demand::Json &report, const std::string &request, Effects &ef
       for (const demand::Json &output : member(use, "outputs").items)
         effect.outputs.insert(output.text);
     }
+}
+
+/// Notes at each kind of light how many of it are linked into a library, and at loops over lights
+/// how many became one round after the other.
+void addLinkedLights(const demand::Json &report, const std::string &request,
+                     const SceneDescription &scene, Effects &effects) {
+  std::map<std::string, int> counts; // by name, not by what a demand calls the kind
+  for (const demand::Json &kind : member(report, "linkedLights").items)
+    for (const LightUse &light : scene.lights)
+      if (kind.text == light.name || kind.text == kindOfShader(light.name)) {
+        ++counts[light.name];
+        break;
+      }
+  for (const auto &[name, count] : counts)
+    effects["Lights." + name].because.insert(std::to_string(count) + " linked into " + request);
+  int loops = int(member(report, "lightLoops").number);
+  if (auto found = effects.find("Lights"); found != effects.end() && loops)
+    found->second.because.insert(std::to_string(loops) + (loops == 1 ? " loop" : " loops") +
+                                 " unrolled in " + request);
 }
 
 /// The global variable of an effect "Inputs.NAME"; -1: it is none.
@@ -225,8 +245,9 @@ Measured measure(const Options &options, const SceneDescription &scene,
     demand::Json report = special->report(*library);
     result.after += sizeOf(report);
     result.before += sizeOf(general->report(*library));
-    addUses(report, library->name + " (" + demand::placeOf(library->uses[0]->where) + ")",
-            result.effects);
+    std::string request = library->name + " (" + demand::placeOf(library->uses[0]->where) + ")";
+    addUses(report, request, result.effects);
+    addLinkedLights(report, request, scene, result.effects);
   }
   addDisplays(scene, result.effects);
   std::map<std::string, SceneDescription> scenesWithout;
@@ -424,7 +445,7 @@ std::string makePage(const std::string &name, const Measured &measured) {
          "<div style=\"white-space: normal; min-width: 30em\">" + plot::escaped(reason(its)) +
              "</div>"});
   }
-  char summary[300];
+  char summary[400];
   std::snprintf(summary, sizeof summary,
                 "<p>The picture takes %.1f ms of processor time with shaders for any scene (grey "
                 "bars), %.1f ms with those linked for it (blue). An effect's bar is what the "

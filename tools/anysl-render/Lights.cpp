@@ -11,10 +11,12 @@
 #include "tools/anysl-render/AreaLights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <numbers>
 
+namespace demand = anysl::demand;
 namespace stc = anysl::stc;
 using namespace anysl::render;
 
@@ -47,6 +49,11 @@ bool anysl::render::isStandardLight(const std::string &name, const ShaderCache &
     return std::string(std::istreambuf_iterator<char>(stream), {}) == source;
   }
   return false;
+}
+
+std::string anysl::render::kindOfShader(const std::string &light) {
+  bool isTaken = light == demand::ambientLight || demand::standardKind(light) != ANYSL_LIGHT_SHADER;
+  return isTaken ? light + " of the scene's own" : light;
 }
 
 namespace {
@@ -132,6 +139,32 @@ std::vector<const ShaderUse *> SceneLights::runStandard(const ShaderCache &cache
   return added;
 }
 
+namespace {
+
+/// What is known of a light before its shader, if it is one, is loaded.
+demand::LightDemand demandFor(const LightUse &use, const AnyslLight &light) {
+  demand::LightDemand result;
+  result.values.light.kind = light.kind;
+  if (light.kind == ANYSL_LIGHT_SHADER) {
+    result.kind = kindOfShader(use.name);
+    // One that is to cast shadows may look for them itself.
+    result.values.known_flags = use.castsShadow ? 0 : ANYSL_LIGHT_CASTS_SHADOW;
+    return result;
+  }
+  result.kind = demand::sourceOf(light.kind);
+  result.values.light = light;
+  result.category = light.category ? light.category : "";
+  // What is the set's.
+  result.values.light.shader = nullptr;
+  result.values.light.category = result.values.light.handle = nullptr;
+  result.values.known_flags =
+      ANYSL_LIGHT_CASTS_SHADOW | ANYSL_LIGHT_NONDIFFUSE | ANYSL_LIGHT_NONSPECULAR;
+  result.values.known = demand::finiteFields(light) | ANYSL_KNOWN_CATEGORY;
+  return result;
+}
+
+} // namespace
+
 void SceneLights::load(ShaderLoader &loader, const AnyslServices &services) {
   shaderOf.resize(useOf.size());
   for (size_t i = 0; i < useOf.size(); ++i)
@@ -139,25 +172,27 @@ void SceneLights::load(ShaderLoader &loader, const AnyslServices &services) {
       shaderOf[i] = loader.make(*useOf[i], services);
 }
 
-std::optional<SceneLights::Known> SceneLights::known(const std::vector<uint32_t> &indices) const {
+SceneLights::Known SceneLights::known(const std::vector<uint32_t> &indices) const {
   LightSet set;
   Known result;
   Warnings none(nullptr); // set() gives them
   for (uint32_t index : indices) {
-    if (!standard[index])
-      return std::nullopt;
-    result.ambient |= scene.lights[index].name == demand::ambientLight;
-    addStandard(scene.lights[index], set, none);
+    const LightUse &use = scene.lights[index];
+    const size_t first = set.lights.size();
+    if (standard[index]) {
+      result.hasAmbient |= use.name == demand::ambientLight;
+      addStandard(use, set, none);
+    } else if (useOf[index]) {
+      result.hasShaders = true;
+      AnyslLight light = {};
+      light.kind = ANYSL_LIGHT_SHADER;
+      spread(use, light, set);
+    }
+    for (size_t i = first; i < set.lights.size(); ++i)
+      result.each.push_back(demandFor(use, set.lights[i]));
   }
-  for (const AnyslLight &light : set.lights) {
-    demand::LightDemand &demand = result.each.emplace_back();
-    demand.kind = demand::sourceOf(light.kind);
-    demand.values.light = light;
-    demand.values.light.shader = nullptr; // the set's
-    demand.values.known_flags =
-        ANYSL_LIGHT_CASTS_SHADOW | ANYSL_LIGHT_NONDIFFUSE | ANYSL_LIGHT_NONSPECULAR;
-    demand.values.known = demand::finiteFields(light);
-  }
+  if (std::all_of(set.ambient, set.ambient + 3, [](float x) { return std::isfinite(x); }))
+    result.ambient = std::to_array(set.ambient);
   return result;
 }
 

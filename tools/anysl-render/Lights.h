@@ -29,6 +29,10 @@ struct LightSet {
 /// the one that comes with this program.
 bool isStandardLight(const std::string &name, const ShaderCache &cache);
 
+/// What a demand calls the kind of a light shader: another light of a standard one's name may do
+/// anything.
+std::string kindOfShader(const std::string &light);
+
 /// The lights of a scene. ambientlight, distantlight, pointlight and spotlight are data, with the
 /// parameters of the RenderMan Interface's standard lights and __nondiffuse, __nonspecular and
 /// __category, unless the scene's shader path has other shaders of these names, or some shader asks
@@ -44,13 +48,14 @@ public:
   std::vector<const ShaderUse *> runStandard(const ShaderCache &cache);
   /// Makes the light shaders, whose libraries are open. Throws UserError as the loader does.
   void load(ShaderLoader &loader, const AnyslServices &services);
-  /// What shaders may be linked for where exactly these lights shine, before any is loaded; nothing
-  /// where one of them is a light shader.
+  /// What shaders may be linked for where exactly these lights shine, before any is loaded.
   struct Known {
     std::vector<demand::LightDemand> each;
-    bool ambient = false; ///< whether there are ambient ones besides
+    bool hasShaders = false;                     ///< whether one of them is a light shader
+    bool hasAmbient = false;                     ///< whether there are ambient ones besides
+    std::optional<std::array<float, 3>> ambient; ///< what those add up to
   };
-  std::optional<Known> known(const std::vector<uint32_t> &indices) const;
+  Known known(const std::vector<uint32_t> &indices) const;
   /// The lights with these indices.
   LightSet set(const std::vector<uint32_t> &indices, Warnings &warnings) const;
 

@@ -206,6 +206,15 @@ ShaderCache::Source ShaderCache::lookUp(const std::string &name, const Location 
   return source;
 }
 
+std::vector<ShaderCache::Source> ShaderCache::lightsOf(const ShaderVariant &variant,
+                                                       const Location &where) const {
+  std::vector<Source> result;
+  for (const std::string &light : variant.lights)
+    if (find(light))
+      result.push_back(lookUp(light, where));
+  return result;
+}
+
 void ShaderCache::run(const Source &source, std::vector<std::string> command,
                       const fs::path &output) const {
   const std::string program = command[0];
@@ -288,6 +297,8 @@ void ShaderCache::link(const Source &source, const ShaderVariant &variant, const
     std::ofstream(manifest.path) << (variant.withPlaces.empty() ? variant.manifest
                                                                 : variant.withPlaces);
     command.insert(command.end(), {"--scene", manifest.path.string()});
+    for (const Source &light : lightsOf(variant, source.where))
+      command.insert(command.end(), {"--beside", threadedCode(light).string()});
   }
   run(source, std::move(command));
 }
@@ -300,6 +311,8 @@ fs::path ShaderCache::library(const std::string &name, const Location &where,
   ContentHash key = source.key;
   for (const std::string &word : {target.runtime, target.real, target.math, variant.manifest})
     key.add(word);
+  for (const Source &light : lightsOf(variant, where))
+    key.add(light.key.text());
   for (const std::string &effect : target.withoutEffects)
     key.add(effect);
   for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop,
@@ -318,6 +331,8 @@ demand::Json ShaderCache::report(const std::string &name, const Location &where,
   for (const std::string &word :
        {target.runtime, target.real, target.math, variant.manifest, variant.withPlaces})
     key.add(word);
+  for (const Source &light : lightsOf(variant, where))
+    key.add(light.key.text());
   for (const std::string &effect : target.withoutEffects)
     key.add(effect);
   key.addNumber(variant.rayDerivatives);

@@ -38,6 +38,7 @@ struct ShaderVariant {
   bool rayDerivatives = false; ///< the rays that it traces carry theirs
   bool tangents = false;       ///< a displacement shader says how P changes
   std::string withPlaces;      ///< the manifest with who says what, for reports
+  std::vector<std::string> lights; ///< light shaders that may be linked in
 };
 
 /// What a scene has to know of one of its shaders before any is linked for it.
@@ -90,6 +91,8 @@ private:
   struct Source;
   std::string toolKey() const;
   Source lookUp(const std::string &name, const Location &where) const;
+  /// The light shaders of a variant. One of a standard light's name goes by another there.
+  std::vector<Source> lightsOf(const ShaderVariant &variant, const Location &where) const;
   std::filesystem::path threadedCode(const Source &source) const;
   void link(const Source &source, const ShaderVariant &variant, const std::filesystem::path &output,
             std::vector<std::string> more) const;

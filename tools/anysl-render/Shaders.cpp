@@ -278,6 +278,7 @@ void ShaderLoader::checkLights(const ShaderUse &opened, const LightSet &lights) 
     facts.time = demand->time;
     facts.lights = lights.lights.data();
     facts.light_count = uint32_t(lights.lights.size());
+    std::copy_n(lights.ambient, 3, facts.ambient);
     if (anysl_library_allows(library->library.get(), &facts))
       throw UserError(opened.where, anysl_last_error());
   }

@@ -27,6 +27,11 @@ bool anyDisplaces(const std::vector<const ShaderUse *> &uses) {
 void setManifest(WantedLibrary &library) {
   library.variant.manifest = demand::writeManifest(library.demand, /*places=*/false);
   library.variant.withPlaces = demand::writeManifest(library.demand);
+  std::set<std::string> lights;
+  for (const demand::LightDemand &light : library.demand.linkedLights())
+    if (light.values.light.kind == ANYSL_LIGHT_SHADER)
+      lights.insert(light.kind);
+  library.variant.lights.assign(lights.begin(), lights.end());
 }
 
 } // namespace
@@ -44,10 +49,9 @@ WantedLibrary Variants::forRays(const WantedLibrary &camera, RayKind rays,
 
 demand::Demand Variants::common() const {
   demand::Demand result = demand::demandOf(scene);
-  // Another light of a standard one's name may do anything.
   for (std::string &light : *result.lights)
-    if (cache.find(light) && !isStandardLight(light, cache))
-      light += " of the scene's own";
+    if (!isStandardLight(light, cache))
+      light = kindOfShader(light);
   std::set<std::string> names;
   bool known = true;
   result.othersTrace = false;
@@ -70,28 +74,38 @@ bool Variants::asksLights() const {
                      [](const auto &entry) { return entry.second.asksLights; });
 }
 
-void Variants::addLights(demand::Demand &demand, const std::vector<const ShaderUse *> &uses) const {
+std::vector<const Shape *> Variants::shapesOf(const std::vector<const ShaderUse *> &uses) const {
+  std::vector<const Shape *> result;
+  for (const Shape &shape : scene.shapes) {
+    int surface = scene.appearances[shape.appearance].surface;
+    if (surface >= 0 &&
+        std::find(uses.begin(), uses.end(), &scene.shaders[size_t(surface)]) != uses.end())
+      result.push_back(&shape);
+  }
+  return result;
+}
+
+void Variants::addLights(demand::Demand &demand, std::span<const Shape *const> shapes,
+                         bool areAllThere) const {
   if (!lights || asksLights())
     return;
   const std::vector<uint32_t> *same = nullptr;
-  for (const Shape &shape : scene.shapes) {
-    const Appearance &appearance = scene.appearances[shape.appearance];
-    bool isOfUses = std::any_of(uses.begin(), uses.end(), [&](const ShaderUse *use) {
-      return appearance.surface >= 0 && use == &scene.shaders[size_t(appearance.surface)];
-    });
-    if (!isOfUses)
-      continue;
+  for (const Shape *shape : shapes) {
+    const Appearance &appearance = scene.appearances[shape->appearance];
     if (same && *same != appearance.lights)
       return;
     same = &appearance.lights;
   }
-  auto known = same ? lights->known(*same) : std::nullopt;
-  if (!known || known->each.size() > ANYSL_MOST_LINKED_LIGHTS)
+  if (!same)
     return;
-  demand.shadows = std::any_of(known->each.begin(), known->each.end(), [](const auto &light) {
-    return (light.values.light.flags & ANYSL_LIGHT_CASTS_SHADOW) != 0;
+  SceneLights::Known known = lights->known(*same);
+  if (known.each.size() > ANYSL_MOST_LINKED_LIGHTS || (known.hasShaders && !areAllThere))
+    return;
+  demand.shadows = std::any_of(known.each.begin(), known.each.end(), [](const auto &light) {
+    const AnyslLinkedLight &values = light.values;
+    return ((values.light.flags | ~values.known_flags) & ANYSL_LIGHT_CASTS_SHADOW) != 0;
   });
-  demand.setLights(std::move(known->each), known->ambient);
+  demand.setLights(std::move(known.each), known.hasAmbient, known.ambient);
 }
 
 std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses,
@@ -159,8 +173,11 @@ std::vector<WantedLibrary> Variants::plan(std::span<const ShaderUse *const> uses
       demand::Demand demand = common;
       demand::addShader(demand, variables, group);
       if (std::all_of(group.begin(), group.end(),
-                      [](const ShaderUse *use) { return use->kind == ShaderKind::Surface; }))
-        addLights(demand, group);
+                      [](const ShaderUse *use) { return use->kind == ShaderKind::Surface; })) {
+        const std::vector<const Shape *> shapes = shapesOf(group);
+        addLights(demand, shapes, !warnings.keepGoing);
+        demand.globals = demand::fixedGlobals(scene, shapes);
+      }
       add(demand, group);
     }
   }

@@ -45,18 +45,21 @@ public:
   static WantedLibrary forRays(const WantedLibrary &camera, RayKind rays,
                                std::vector<const ShaderUse *> uses);
 
-  /// From now on surfaces that the same lights shine on, all of standard kinds, are linked for
-  /// these.
+  /// From now on surfaces that the same lights shine on are linked for these.
   void linkLights(const SceneLights &given) { lights = &given; }
 
   /// What the scene calls for, without its shaders' parameters.
   demand::Demand common() const;
 
 private:
+  /// The shapes that a surface of one of these uses is on.
+  std::vector<const Shape *> shapesOf(const std::vector<const ShaderUse *> &uses) const;
   /// Whether some shader asks lights for more than their light.
   bool asksLights() const;
-  /// Adds the lights that shine on all points of these uses of a surface, if they are known.
-  void addLights(demand::Demand &demand, const std::vector<const ShaderUse *> &uses) const;
+  /// Adds the lights that shine on all points of these shapes, if they are known.
+  /// `areAllThere`: a light shader that cannot be had ends it all.
+  void addLights(demand::Demand &demand, std::span<const Shape *const> shapes,
+                 bool areAllThere) const;
 
   const SceneDescription &scene;
   const ShaderCache &cache;

@@ -32,6 +32,9 @@ extern "C" __attribute__((weak)) const uint32_t anysl_scene_light_count = 0;
 /// Those lights.
 extern "C" __attribute__((weak))
 const AnyslLinkedLight anysl_scene_lights[ANYSL_MOST_LINKED_LIGHTS] = {};
+/// Whether it is known what ambient lights add up to, and what that is.
+extern "C" __attribute__((weak)) const uint32_t anysl_scene_ambient_known = 0;
+extern "C" __attribute__((weak)) const float anysl_scene_ambient[3] = {};
 
 namespace anysl {
 
@@ -52,6 +55,9 @@ public:
   uint32_t kind() const { return anysl_scene_light_count ? linked.light.kind : given.kind; }
   uint32_t flags() const {
     uint32_t known = anysl_scene_light_count ? linked.known_flags : 0;
+    // What only light shaders are.
+    if (anysl_scene_light_count && linked.light.kind != ANYSL_LIGHT_SHADER)
+      known |= ANYSL_LIGHT_AMBIENT | ANYSL_LIGHT_COMPUTES_FLAGS;
     return (given.flags & ~known) | (linked.light.flags & known);
   }
   auto &color() const { return with(ANYSL_KNOWN_COLOR).color; }
@@ -60,9 +66,10 @@ public:
   float cosOuter() const { return with(ANYSL_KNOWN_CONE).cos_outer; }
   float cosInner() const { return with(ANYSL_KNOWN_CONE).cos_inner; }
   float beam() const { return with(ANYSL_KNOWN_BEAM).beam; }
-  const char *category() const { return given.category; }
+  const char *category() const { return with(ANYSL_KNOWN_CATEGORY).category; }
   const char *handle() const { return given.handle; }
   const void *shader() const { return given.shader; }
+  const AnyslCell *params() const { return given.params; }
   bool isShader() const {
     return !sceneLacks(ANYSL_ASSUMES_NO_LIGHT_SHADERS) && kind() == ANYSL_LIGHT_SHADER;
   }
@@ -152,7 +159,8 @@ inline anysl_float smoothEdge(const anysl_float &low, const anysl_float &high,
 void anysl_ambient(anysl_color *result, anysl_context *context, const anysl_point *P,
                    const anysl_normal *N) {
   using namespace anysl;
-  anysl_color sum = colorFrom(context->args->ambient);
+  anysl_color sum =
+      colorFrom(anysl_scene_ambient_known ? anysl_scene_ambient : context->args->ambient);
   uint32_t count = sceneLacks(ANYSL_ASSUMES_NO_LIGHT_SHADERS) ? 0 : lightCount(context);
   for (uint32_t i = 0; i < count; ++i) {
     Light light(context, int32_t(i));
@@ -316,6 +324,62 @@ void anysl_light_shadow(anysl_context *context, int32_t index, const anysl_point
   anysl_color passing;
   anysl_transmission(&passing, context, P, &end);
   *Cl = *Cl * passing;
+}
+
+//===-- Light shaders that are linked in ------------------------------------------------------===//
+
+namespace anysl {
+
+inline anysl_float lightCell(const anysl_context *context, int32_t light, int32_t cell) {
+  return anysl_float(Light(context, light).params()[cell].number);
+}
+
+} // namespace anysl
+
+void anysl_linked_light_float(anysl_float *result, anysl_context *context, int32_t light,
+                              int32_t cell) {
+  *result = anysl::lightCell(context, light, cell);
+}
+
+void anysl_linked_light_color(anysl_color *result, anysl_context *context, int32_t light,
+                              int32_t cell) {
+  *result = {anysl::lightCell(context, light, cell), anysl::lightCell(context, light, cell + 1),
+             anysl::lightCell(context, light, cell + 2)};
+}
+
+void anysl_linked_light_vector(anysl_vector *result, anysl_context *context, int32_t light,
+                               int32_t cell) {
+  *result = {anysl::lightCell(context, light, cell), anysl::lightCell(context, light, cell + 1),
+             anysl::lightCell(context, light, cell + 2)};
+}
+
+void anysl_linked_light_matrix(anysl_matrix *result, anysl_context *context, int32_t light,
+                               int32_t cell) {
+  anysl::repeat<16>([&](auto k) {
+    result->m[k / 4][k % 4] = anysl::lightCell(context, light, cell + int32_t(k));
+  });
+}
+
+void anysl_linked_light_string(anysl_string *result, anysl_context *context, int32_t light,
+                               int32_t cell) {
+  *result = anysl::Light(context, light).params()[cell].string;
+}
+
+void anysl_linked_light_from(anysl_point *result, anysl_context *context, int32_t light) {
+  *result = anysl::vectorFrom(anysl::Light(context, light).from());
+}
+
+void anysl_linked_light_direction(anysl_vector *result, anysl_context *context, int32_t light) {
+  *result = anysl::vectorFrom(anysl::Light(context, light).direction());
+}
+
+bool anysl_linked_light_arrives(anysl_context *context, int32_t light, anysl_vector *L,
+                                anysl_color *Cl) {
+  using namespace anysl;
+  anysl_float zero(0);
+  *L = anysl_vector{zero, zero, zero} - *L;
+  *Cl = *Cl * colorFrom(Light(context, light).color());
+  return arrives(*L);
 }
 
 //===-- Parameters of light shaders -----------------------------------------------------------===//

@@ -217,6 +217,50 @@ TEST_CASE("rays for shadows end where a light is, or far away in its direction")
   CHECK((far.y > 1e9 && std::fabs(double(far.y) * 4 / 3 - double(far.z)) < 1e6));
 }
 
+TEST_CASE("a light shader that is linked in has its parameters and its place") {
+  Batch batch;
+  AnyslLight light = {};
+  AnyslCell cells[17];
+  for (int i = 0; i < 16; ++i)
+    cells[i].number = i + 0.5;
+  cells[16].string = "word";
+  light.kind = ANYSL_LIGHT_SHADER;
+  light.params = cells;
+  light.color[0] = 1, light.color[1] = 0.5f, light.color[2] = 2;
+  light.from[0] = 1, light.from[1] = 2, light.from[2] = 3;
+  light.direction[1] = -1;
+  batch.args.lights = &light, batch.args.light_count = 1;
+  batch.shade(3, [&](anysl_context *context) {
+    anysl_float number;
+    use<anysl_linked_light_float>()(&number, context, 0, 4);
+    CHECK(number == anysl_float(4.5));
+    anysl_color color;
+    use<anysl_linked_light_color>()(&color, context, 0, 1);
+    checkColor(color, 1.5, 2.5, 3.5);
+    anysl_vector vector;
+    use<anysl_linked_light_vector>()(&vector, context, 0, 7);
+    checkVector(vector, 7.5, 8.5, 9.5);
+    anysl_matrix matrix;
+    use<anysl_linked_light_matrix>()(&matrix, context, 0, 0);
+    CHECK((matrix.m[0][1] == anysl_float(1.5) && matrix.m[3][2] == anysl_float(14.5)));
+    anysl_string text;
+    use<anysl_linked_light_string>()(&text, context, 0, 16);
+    CHECK(std::string(text) == "word");
+    use<anysl_linked_light_from>()(&vector, context, 0);
+    checkVector(vector, 1, 2, 3);
+    use<anysl_linked_light_direction>()(&vector, context, 0);
+    checkVector(vector, 0, -1, 0);
+    // It shines away from itself, and the surface looks the other way.
+    anysl_vector L(0, 3, -4);
+    color = anysl_color(1, 2, 3);
+    CHECK(use<anysl_linked_light_arrives>()(context, 0, &L, &color));
+    checkVector(L, 0, -3, 4);
+    checkColor(color, 1, 1, 6);
+    L = anysl_vector(0, 0, 0);
+    CHECK_FALSE(use<anysl_linked_light_arrives>()(context, 0, &L, &color));
+  });
+}
+
 TEST_CASE("parameters of lights are asked for by name and type") {
   Batch batch;
   AnyslLight light = {};
