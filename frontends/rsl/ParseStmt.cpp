@@ -131,7 +131,7 @@ Stmt *Parser::parseStatementInner() {
   }
   if (atUntypedFunction()) {
     FunctionDecl *decl = parseFunction(Specifiers());
-    return decl ? ast.make<FunctionStmt>(loc, decl) : nullptr;
+    return decl ? nestedFunction(loc, decl) : nullptr;
   }
   if (at(TokenKind::Identifier) && peek(1).is(TokenKind::Identifier) &&
       peek(2).isOneOf(TokenKind::Semicolon, TokenKind::Comma, TokenKind::Equal,
@@ -165,6 +165,11 @@ Stmt *Parser::parseUnknownType() {
   return parseVariables(specifiers);
 }
 
+Stmt *Parser::nestedFunction(SMLoc loc, FunctionDecl *decl) {
+  ast.functions.push_back(decl);
+  return ast.make<FunctionStmt>(loc, decl);
+}
+
 Stmt *Parser::parseDeclaration() {
   Specifiers specifiers = parseSpecifiers();
   SMLoc loc = specifiers.loc;
@@ -172,7 +177,7 @@ Stmt *Parser::parseDeclaration() {
     return nullptr;
   if (at(TokenKind::Identifier) && peek(1).is(TokenKind::LeftParen)) {
     FunctionDecl *decl = parseFunction(specifiers);
-    return decl ? ast.make<FunctionStmt>(loc, decl) : ast.make<Stmt>(StmtKind::Empty, loc);
+    return decl ? nestedFunction(loc, decl) : ast.make<Stmt>(StmtKind::Empty, loc);
   }
   if (!specifiers.hasType || specifiers.type == TypeKind::Void) {
     diags.error(loc,

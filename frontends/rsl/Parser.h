@@ -66,6 +66,7 @@ private:
   void parsePlugin();
   void parseShader(ShaderType type);
   FunctionDecl *parseFunction(const Specifiers &specifiers);
+  Stmt *nestedFunction(llvm::SMLoc loc, FunctionDecl *decl);
   void makeShorterForms(FunctionDecl &decl);
   bool atArrayResult(unsigned ahead) const;
   bool parseArrayResult(Specifiers &specifiers);

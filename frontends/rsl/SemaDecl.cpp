@@ -268,11 +268,17 @@ void Sema::checkBody(FunctionDecl &decl) {
     checkStmt(stmt);
   popScope();
   popScope();
-  if (decl.result.kind != TypeKind::Void && !alwaysReturns(decl.body))
-    diags
-        .warning(decl.body->end, warn::ReturnType,
-                 "function '" + decl.name + "' may end without returning a value; it is then 0")
-        .note(decl.range.Start, "declared here", decl.range);
+  if (decl.result.kind != TypeKind::Void && !alwaysReturns(decl.body)) {
+    auto warning = diags.warning(decl.body->end, warn::ReturnType,
+                                 "function '" + decl.name +
+                                     "' may end without returning a value; it is then 0");
+    warning.note(decl.range.Start, "declared here", decl.range);
+    if (decl.result.kind == TypeKind::Shader)
+      warning.note(decl.range.Start,
+                   "this is a function that gives a handle; a shader is declared by its kind: "
+                   "surface, displacement, light, volume or imager",
+                   decl.range);
+  }
   decl.isBeingChecked = false;
   decl.isChecked = true;
   function = outerFunction;

@@ -33,3 +33,4 @@ surface coshaders(shader layer = null; shader layers[] = {}; uniform string name
   if (layer->kind == "a") Ci = 1;
   text = layer->named(1);
 }
+shader lost(float Kd = 1) { float x = Kd; } // expected-warning {{function 'lost' may end without returning a value; it is then 0}} expected-note {{declared here}} expected-note {{this is a function that gives a handle; a shader is declared by its kind: surface, displacement, light, volume or imager}}

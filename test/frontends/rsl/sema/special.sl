@@ -17,6 +17,7 @@ surface special(uniform float u = 1) {
   Ci = sqrt("a");                              // expected-error {{no function 'sqrt' takes (string)}}
   x = sqrt(Cs);                                // expected-error {{a value of type 'color' is no 'float'}}
   Ci = pow(Cs, N);                             // expected-error {{no function 'pow' takes (color, normal)}}
+  emit(Cs, "raytraceshadows", 1);              // expected-error {{built-in 'emit' is not supported: it needs a renderer that samples area lights by their shaders; set Cl in method light()}}
 }
 
 // Names of built-ins that are the shader's own.

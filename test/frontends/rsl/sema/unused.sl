@@ -23,6 +23,9 @@ surface warnings() {
     n = inside;                          // expected-warning {{uniform 'n' is assigned where a varying condition decides [-Wvarying-branch]}}
   }
   Ci += n;
+  float helper(float x) { return x; }    // expected-warning {{unused function 'helper' [-Wunused-function]}}
+  float called(float x) { return x; }
+  Ci *= called(s);
   float kr, kt;                          // expected-warning {{variable 'kr' is set but never read}} expected-warning {{variable 'kt' is set but never read}}
   fresnel(I, N, 1, kr, kt);
 }
