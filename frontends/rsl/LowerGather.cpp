@@ -65,10 +65,14 @@ void Lowering::lowerGather(const GatherStmt &stmt) {
   Value *axis = lowerLasting(stmt.direction);
   Value *angle = lowerLasting(stmt.angle);
   Value *samples = lowerLasting(stmt.samples);
-  const Expr *reachExpr = stmt.named[0], *distributionExpr = stmt.named[1];
+  const Expr *reachExpr = stmt.named[0];
   Value *bias = lowerLasting(stmt.named[2]);
   Value *reach = reachExpr ? lowerLasting(reachExpr) : number(1e30);
-  Value *distribution = distributionExpr ? lowerLasting(distributionExpr) : text("");
+  auto textField = [&](unsigned i) {
+    return stmt.named[i] ? lowerLasting(stmt.named[i]) : text("");
+  };
+  Value *distribution = textField(1), *kind = textField(3), *subset = textField(4),
+        *sides = textField(5);
   at(stmt.loc);
   auto apply = [&](Op op, std::initializer_list<Value *> operands) {
     SmallVector<Value *, 4> all{temporary(scalar)};
@@ -154,7 +158,7 @@ void Lowering::lowerGather(const GatherStmt &stmt) {
     bool shades = any_of(stmt.outputs, [](const GatherStmt::Output &output) {
       return output.value == GatherValue::SurfaceCi || output.value == GatherValue::SurfaceOi;
     });
-    SmallVector<Value *, 14> operands{b.context(), start, direction, left};
+    SmallVector<Value *, 17> operands{b.context(), start, direction, left, kind, subset, sides};
     if (asked) {
       operands.push_back(asked);
       appendOperands(message, operands);

@@ -43,7 +43,9 @@ Value *Lowering::rayField(const CallExpr &call, StringRef name) {
   const NamedGroup &group = *call.builtin->named;
   for (auto [i, field] : enumerate(group.fields))
     if (field.name == name)
-      return call.named[i] ? lower(call.named[i]) : number(field.number);
+      return call.named[i]                    ? lower(call.named[i])
+             : field.type == TypeKind::String ? text("")
+                                              : number(field.number);
   llvm_unreachable("NamedArguments.def lacks a field");
 }
 
@@ -73,7 +75,7 @@ void Lowering::lowerTracedShadow(Value *passing, Value *place, ArrayRef<Value *>
                 loc);
     return;
   }
-  SmallVector<Value *, 6> operands{passing, b.context(), place, to};
+  SmallVector<Value *, 8> operands{passing, b.context(), place, to};
   llvm::append_range(operands, cone);
   b.call(cone.empty() ? Op::transmission : Op::transmission_cone, operands);
 }
@@ -98,11 +100,12 @@ Value *Lowering::lowerTraced(const CallExpr &call, ArrayRef<Value *> operands, O
   bool isCone = false;
   for (auto [i, field] : enumerate(call.builtin->named->fields))
     isCone |= field.isForRays && call.named[i];
-  SmallVector<Value *, 3> cone;
+  SmallVector<Value *, 5> cone;
   if (isCone && !shadow)
     cone.push_back(rayField(call, "maxdist"));
   if (isCone)
-    cone.append({rayField(call, shadow ? "raysamples" : "samples"), rayField(call, "samplecone")});
+    cone.append({rayField(call, shadow ? "raysamples" : "samples"), rayField(call, "samplecone"),
+                 rayField(call, "subset"), rayField(call, "hitsides")});
   at(call.loc);
   BasicBlock *rays = b.block("rays"), *file = b.block("file"), *join = b.block("looked.up");
   branchIf(b.call(Op::eq_string, {operands[2], text("raytrace")}), rays, file);
@@ -113,7 +116,7 @@ Value *Lowering::lowerTraced(const CallExpr &call, ArrayRef<Value *> operands, O
     lowerTracedShadow(light, place, cone, call.loc);
   } else {
     Value *from = globalSlot(globalNumber(*shaderType == ShaderType::Light ? "Ps" : "P"));
-    SmallVector<Value *, 7> rayOperands{light, b.context(), from, place};
+    SmallVector<Value *, 9> rayOperands{light, b.context(), from, place};
     rayOperands.append(cone);
     b.call(isCone ? Op::trace_cone : Op::trace_color, rayOperands);
   }

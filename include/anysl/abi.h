@@ -194,20 +194,33 @@ typedef struct AnyslRayDerivatives {
   const float *dv;
 } AnyslRayDerivatives;
 
+/** Of what along a ray color and opacity are asked for. */
+typedef enum AnyslHitShading {
+  ANYSL_SHADE_NOTHING,
+  ANYSL_SHADE_FIRST, /**< the surface that is met, alone */
+  ANYSL_SHADE_ALL    /**< that one and all behind it that it lets through */
+} AnyslHitShading;
+
 /** What rays meet first, for each number an array with one element a point. */
 typedef struct AnyslHits {
   uint32_t struct_size;
-  uint32_t shades; /**< whether color and opacity are asked for */
+  uint32_t shades; /**< AnyslHitShading: whether color and opacity are asked for, and of what */
   float *distance; /**< along the direction of unit length; below 0: nothing was met */
   float *N[3];     /**< the shading normal there, of unit length, facing the ray's origin */
   float *Ng[3];    /**< the geometric normal there, likewise */
   float *color[3]; /**< what the surface sends back; of a ray that met nothing, what arrives */
-  float *opacity[3];
+  float *opacity[3]; /**< of that surface; of a ray that met nothing, how much of all else it hides */
   AnyslMessage *values; /**< one for each point, or null: what else is asked about a surface, named
                              "surface:NAME", "displacement:NAME" (parameters of the shader, after it
                              has run), "primitive:NAME" (a primitive variable) or "attribute:NAME";
                            what is not there is left as it is */
   const AnyslRayDerivatives *change; /**< how the rays change; null: it is not known */
+  const char *kind;   /**< what the rays are for: "diffuse", a mean over many directions; "specular";
+                           "transmission", of which only the opacity is asked for, up to the reach;
+                           never null, and neither are the others */
+  const char *subset; /**< the surfaces that they see, by the names of sets, separated by commas;
+                           those behind a - are not seen; "": all */
+  const char *sides;  /**< and their sides: "front", "back"; else both */
 } AnyslHits;
 
 /** What shaders ask for by name, by the names of QueryKinds.def: ANYSL_QUERY_attribute, ... */
@@ -295,7 +308,8 @@ typedef struct AnyslServices {
   /** How much of a filter is in shadow, by a picture of depths. Neutral: 0. */
   AnyslTextureService *shadow;
   /** What rays from P (x, y and z, an array each) along R (of any length) meet within `reach`, for
-      `width` points (at most 16) from `first` on. Neutral: nothing. */
+      `width` points (at most 16) from `first` on; of the others `hits` stays as it is. Neutral:
+      nothing. */
   void (*trace_hit)(void *renderer, const struct AnyslShadeArgs *args, uint32_t first,
                     uint32_t width, uint32_t mask, const float *const P[3], const float *const R[3],
                     const float *reach, const AnyslHits *hits);

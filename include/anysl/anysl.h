@@ -48,7 +48,7 @@ ANYSL_ASSERT_SIZE(AnyslLight, 96);
 ANYSL_ASSERT_SIZE(AnyslServices, 200);
 ANYSL_ASSERT_SIZE(AnyslTextureRequest, 56);
 ANYSL_ASSERT_SIZE(AnyslTexturePoints, 120);
-ANYSL_ASSERT_SIZE(AnyslHits, 128);
+ANYSL_ASSERT_SIZE(AnyslHits, 152);
 ANYSL_ASSERT_SIZE(AnyslRayDerivatives, 120);
 ANYSL_ASSERT_SIZE(AnyslShadeArgs, 144);
 ANYSL_ASSERT_SIZE(AnyslQuery, 40);

@@ -101,6 +101,38 @@ void RibState::shadingRate(RibArguments &arguments) {
   state.appearance.shadingRate = rate;
 }
 
+/// "a,b" says of which sets a surface is a member, "+a,-b" how that changes.
+static void joinSets(std::vector<std::string> &sets, std::string_view text) {
+  bool isNew = true;
+  while (!text.empty()) {
+    size_t end = std::min(text.find_first_of(", "), text.size());
+    std::string_view name = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    char sign = name.empty() ? ' ' : name.front();
+    if (sign == '+' || sign == '-')
+      name.remove_prefix(1);
+    else if (isNew)
+      sets.clear();
+    isNew = false;
+    std::erase(sets, name);
+    if (sign != '-' && !name.empty())
+      sets.emplace_back(name);
+  }
+}
+
+bool RibState::setDepth(std::string_view name, const Parameter &parameter) {
+  if (parameter.numbers.size() != 1)
+    return false;
+  auto depth = unsigned(std::clamp(parameter.numbers[0], 0.0, 64.0));
+  if (name == "trace:maxdiffusedepth")
+    state.appearance.maxDiffuseDepth = depth;
+  else if (name == "trace:maxspeculardepth")
+    state.appearance.maxSpecularDepth = depth;
+  else
+    return false;
+  return true;
+}
+
 void RibState::attribute(RibArguments &arguments) {
   std::string group = arguments.string("a name");
   const auto &before = state.appearance.attributes;
@@ -115,7 +147,11 @@ void RibState::attribute(RibArguments &arguments) {
     if (name == "visibility:camera")
       visibility.camera = on;
     else if (name == "visibility:trace")
-      visibility.trace = on;
+      visibility.specular = visibility.diffuse = on;
+    else if (name == "visibility:specular")
+      visibility.specular = on;
+    else if (name == "visibility:diffuse")
+      visibility.diffuse = on;
     else if (name == "visibility:transmission" && (text == "transparent" || (text.empty() && !on)))
       visibility.transmission = Visibility::Transparent;
     else if (name == "visibility:transmission" && text == "opaque")
@@ -126,7 +162,9 @@ void RibState::attribute(RibArguments &arguments) {
       visibility.transmission = Visibility::ByOpacity;
     else if (name == "light:shadows")
       state.lightShadows = on;
-    else if (!isQuiet(group))
+    else if (name == "grouping:membership" && parameter.strings.size() == 1)
+      joinSets(state.appearance.sets, text);
+    else if (!setDepth(name, parameter) && !isQuiet(group))
       warnUnknown("attribute", name, parameter.where);
   }
   state.appearance.attributes = std::move(attributes);

@@ -291,7 +291,7 @@ void RibState::option(RibArguments &arguments) {
     } else if (name == "anysl:ground") {
       background.ground = triple();
       background.visible = true;
-    } else if (!isQuiet(group)) {
+    } else if (!setDepth(name, parameter) && !isQuiet(group)) {
       warnUnknown("option", name, parameter.where);
     }
   }

@@ -106,6 +106,8 @@ private:
   void addPatches(PatchShape shape, RibArguments &arguments);
   void addQuadric(QuadricShape shape, RibArguments &arguments);
   static bool isQuiet(std::string_view group);
+  /// How deep rays go that shaders trace, of an Option or Attribute; whether that is what it says.
+  bool setDepth(std::string_view name, const Parameter &parameter);
   /// Warns once that a name of an option, attribute or parameter means nothing here.
   void warnUnknown(const char *what, const std::string &name, const Location &where);
 

@@ -75,8 +75,9 @@ struct ShaderUse {
 /// Which rays see a surface.
 struct Visibility {
   bool camera = true;
-  bool trace = true;
-  /// What stops light on its way through: all of it, a part as its opacity or its shader says, none.
+  bool specular = true, diffuse = true; ///< those that shaders trace
+  /// What stops light on its way through: all of it, a part as its opacity or its shader says,
+  /// none.
   enum Transmission { Opaque, ByOpacity, ByShader, Transparent } transmission = ByOpacity;
   friend bool operator==(const Visibility &, const Visibility &) = default;
 };
@@ -92,6 +93,10 @@ struct Appearance {
   int sides = 2;
   double shadingRate = 1; ///< size of displaced facets, in square pixels
   Visibility visibility;
+  std::vector<std::string> sets; ///< that it is a member of, for rays that see some surfaces only
+  /// How many rays for diffuse and other light may lie between the eye and what such rays meet that
+  /// start here.
+  unsigned maxDiffuseDepth = 1, maxSpecularDepth = 64;
   std::vector<uint32_t> lights; ///< those that shine on it: indices into SceneDescription::lights
   std::array<double, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1}; ///< s t at the (u, v) corners
   /// What Attribute has stated, known here or not; null: nothing.

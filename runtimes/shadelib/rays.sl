@@ -29,21 +29,24 @@ float weightOf(float distance, maxdist, falloff; string mode) {
   return falloff == 0 ? 1 : (mode == "linear" || mode == "1" ? pow(near, falloff) : exp(-falloff * distance));
 }
 
-float occlusion(point P; normal N; float samples, maxdist, coneangle, falloff; string falloffmode, distribution) {
+float occlusion(point P; normal N; float samples, maxdist, coneangle, falloff;
+                string falloffmode, distribution, subset, hitsides) {
   float count = sampleCount(samples), i, sum = 0;
   float cosine = distribution == "uniform" ? 0 : 1;
   for (i = 0; i < count; i += 1) {
     float distance;
     normal metN, metNg;
-    if (__trace_hit(P, __cone_direction(N, coneangle, i, count, cosine), maxdist, distance, metN, metNg))
+    if (__trace_hit(P, __cone_direction(N, coneangle, i, count, cosine), maxdist, "diffuse", subset, hitsides, distance,
+                    metN, metNg))
       sum += weightOf(distance, maxdist, falloff, falloffmode);
   }
   return sum / count;
 }
 
-// What no surface sends comes from the environment map, if there is one, else from the scene's own surroundings.
+// What no surface sends comes from the environment map, if there is one, else from the scene's own surroundings. A ray
+// that the renderer traces no further meets nothing and is opaque.
 color indirectdiffuse(point P; normal N; float samples, maxdist, coneangle, falloff;
-                      string falloffmode, distribution, environmentmap) {
+                      string falloffmode, distribution, environmentmap, subset, hitsides) {
   float count = sampleCount(samples), i;
   float cosine = distribution == "uniform" ? 0 : 1;
   color sum = 0;
@@ -52,43 +55,48 @@ color indirectdiffuse(point P; normal N; float samples, maxdist, coneangle, fall
     float distance;
     normal metN, metNg;
     color light, opacity;
-    if (__trace_shade(P, direction, maxdist, distance, metN, metNg, light, opacity))
+    if (__trace_shade(P, direction, maxdist, "diffuse", subset, hitsides, distance, metN, metNg, light, opacity))
       light *= weightOf(distance, maxdist, falloff, falloffmode);
     else if (environmentmap != "")
-      light = color environment(environmentmap, direction, direction, direction, direction);
+      light = (1 - opacity) * color environment(environmentmap, direction, direction, direction, direction);
     sum += light;
   }
   return sum / count;
 }
 
-color trace(point P; vector R; float maxdist, samples, samplecone) {
+color trace(point P; vector R; float maxdist, samples, samplecone; string subset, hitsides) {
   float count = sampleCount(samples), i;
   color sum = 0;
   for (i = 0; i < count; i += 1) {
     vector direction = samplecone > 0 ? __cone_direction(R, samplecone, i, count, 0) : R;
-    color light;
-    if (maxdist < 1e30) {
-      float distance;
-      normal metN, metNg;
-      color opacity;
-      __trace_shade(P, direction, maxdist, distance, metN, metNg, light, opacity);
-    } else {
-      light = color trace(P, direction);
-    }
-    sum += light;
+    color opacity;
+    sum += maxdist < 1e30 || subset != "" || hitsides != ""
+               ? __trace_light(P, direction, maxdist, "specular", subset, hitsides, opacity)
+               : color trace(P, direction);
   }
   return sum / count;
 }
 
+// Where nothing is met, as far away as without arguments.
+float trace(point P; vector R; float maxdist, samples, samplecone; string subset, hitsides) {
+  float distance;
+  normal N, Ng;
+  __trace_hit(P, R, maxdist, "specular", subset, hitsides, distance, N, Ng);
+  return distance;
+}
+
 // The cone's tip is the first point; its rays end as far away as the second.
-color transmission(point P1, P2; float samples, samplecone) {
+color transmission(point P1, P2; float samples, samplecone; string subset, hitsides) {
   float count = sampleCount(samples), i;
   color sum = 0;
   for (i = 0; i < count; i += 1) {
-    point end = P2;
+    vector way = P2 - P1;
     if (samplecone > 0)
-      end = P1 + length(P2 - P1) * __cone_direction(P2 - P1, samplecone, i, count, 0);
-    sum += transmission(P1, end);
+      way = length(way) * __cone_direction(way, samplecone, i, count, 0);
+    if (subset != "" || hitsides != "")
+      sum += __transmission_among(P1, way, length(way), subset, hitsides);
+    else
+      sum += transmission(P1, samplecone > 0 ? P1 + way : P2);
   }
   return sum / count;
 }

@@ -23,8 +23,10 @@ unsigned rayMask(const Appearance &appearance, bool opacityVaries) {
   unsigned mask = 0;
   if (appearance.visibility.camera)
     mask |= CameraRays;
-  if (appearance.visibility.trace)
-    mask |= TraceRays;
+  if (appearance.visibility.specular)
+    mask |= SpecularRays;
+  if (appearance.visibility.diffuse)
+    mask |= DiffuseRays;
   const Vec3d &o = appearance.opacity;
   if (appearance.visibility.transmission == Visibility::Opaque)
     mask |= OpaqueShadowRays;

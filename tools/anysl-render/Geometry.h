@@ -26,9 +26,10 @@ using Displace = std::function<void(uint32_t shape, DisplacedSurface surface)>;
 /// Kinds of ray, as bits of Embree's mask.
 enum RayMask : unsigned {
   CameraRays = 1,
-  TraceRays = 2,
+  SpecularRays = 2,
   OpaqueShadowRays = 4,  ///< surfaces that stop all light
   PartialShadowRays = 8, ///< surfaces that stop a part of it
+  DiffuseRays = 16,
 };
 
 /// The bit of Geometry::evaluate()'s `needed` that asks for the derivatives of N, s and t.

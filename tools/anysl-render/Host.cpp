@@ -65,6 +65,7 @@ Ray RayStarts::behind(size_t i, const Ray &ray, float t, const ShadingGroup &gro
   Ray result;
   result.origin = p + normal * distance;
   result.direction = ray.direction;
+  result.far = ray.far - t;
   result.seed = hash(ray.seed, behindSurface);
   result.travelled = ray.travelled + t;
   result.spread = ray.spread;
@@ -191,9 +192,31 @@ bool anysl::render::spreadRay(const RayStarts &starts, size_t point, const Asked
 
 //===-- Shading -------------------------------------------------------------//
 
-void anysl::render::limitReach(AskedRays &rays, uint32_t i, float reach) {
-  rays.far[i] = std::min(rays.far[i], reach);
-  rays.valid[i] &= reach > 0;
+void anysl::render::makeAskedRays(const RayStarts &starts, size_t first, uint32_t count,
+                                  const float *P, const float *R, const float *reach, bool isShadow,
+                                  AskedRays &rays) {
+  if (isShadow) {
+    float to[3 * AskedRays::most];
+    for (uint32_t i = 0; i < count; ++i) {
+      auto at = [&](const float *v, uint32_t k) { return double(v[k * count + i]); };
+      double length = std::sqrt(at(R, 0) * at(R, 0) + at(R, 1) * at(R, 1) + at(R, 2) * at(R, 2));
+      double scale = length > 0 ? double(reach[i]) / length : 0;
+      for (uint32_t k = 0; k < 3; ++k)
+        to[k * count + i] = float(at(P, k) + at(R, k) * scale);
+    }
+    makeShadowRays(starts, first, count, P, to, rays);
+    return;
+  }
+  makeTraceRays(starts, first, count, P, R, rays);
+  for (uint32_t i = 0; i < count; ++i) {
+    rays.far[i] = std::min(rays.far[i], reach[i]);
+    rays.valid[i] &= reach[i] > 0;
+  }
+}
+
+void anysl::render::storeOpacity(Vec3f opacity, uint32_t i, const AnyslHits &hits) {
+  for (int k = 0; k < 3; ++k)
+    hits.opacity[k][i] = opacity[k];
 }
 
 void anysl::render::storeHit(const Geometry &geometry, const Hit &hit, const Ray &ray,
@@ -217,14 +240,14 @@ void anysl::render::storeHit(const Geometry &geometry, const Hit &hit, const Ray
 }
 
 void anysl::render::computeAgain(ThreadState &state, const Scene &scene, const Hit &hit,
-                                 const Ray &ray, unsigned depth, uint64_t globals) {
+                                 const Ray &ray, const RayPath &path, uint64_t globals) {
   Arena::Scope scope(state.arena);
   float *numbers = state.arena.allocate<float>(ANYSL_COMPONENT_COUNT);
   SurfacePoint point;
   uint64_t needed = neededFor(globals);
   scene.geometry().evaluate(hit, ray.origin, ray.direction, needed, point);
   if (needed & footprintBits)
-    findFootprint(scene.camera, depth == 0, ray, point);
+    findFootprint(scene.camera, path.depth == 0, ray, point);
   storeGlobals(globals, point, ray, ray.travelled,
                [&](int number, double value) { numbers[number] = float(value); });
 }

@@ -16,8 +16,8 @@
 
 #include "lib/Shade/Recording.h"
 #include "tools/anysl-render/Footprint.h"
+#include "tools/anysl-render/RayPurpose.h"
 #include "tools/anysl-render/Sampling.h"
-#include "tools/anysl-render/Scene.h"
 
 #include <immintrin.h>
 
@@ -144,8 +144,6 @@ std::unique_ptr<Host> makeHost(const SceneDescription &description, const Shader
 
 //===-- Shared arithmetic ---------------------------------------------------//
 
-/// How many surfaces in a row may let a camera ray or traced ray pass.
-constexpr unsigned maxLayers = 64;
 /// The number mixed into a ray's seed where it goes on behind a surface.
 constexpr uint32_t behindSurface = 0x62656864;
 /// The number mixed into the seeds of points that a volume shader works on.
@@ -198,19 +196,29 @@ void makeTraceRays(const RayStarts &starts, size_t first, uint32_t count, const 
 void makeShadowRays(const RayStarts &starts, size_t first, uint32_t count, const float *from,
                     const float *to, AskedRays &rays);
 
+/// The rays for a service that gives AnyslHits: shadow rays or others, each of which ends at its
+/// reach.
+void makeAskedRays(const RayStarts &starts, size_t first, uint32_t count, const float *P,
+                   const float *R, const float *reach, bool isShadow, AskedRays &rays);
+
 /// How the ray that was made for direction number i differs from its neighbours, which a shader
 /// says for a point by u and v. False, and nothing to be relied on, where it is not finite.
 bool spreadRay(const RayStarts &starts, size_t point, const AskedRays &rays, uint32_t i,
                const float *const R[3], const AnyslRayDerivatives &change, RaySpread &spread);
 
-/// Lets ray i end at `reach`; none is valid with a reach that is not positive.
-void limitReach(AskedRays &rays, uint32_t i, float reach);
 /// What ray i has met, for a shader: nothing is stored where it met nothing, but for what arrives.
 void storeHit(const Geometry &geometry, const Hit &hit, const Ray &ray, const Radiance &radiance,
               uint32_t i, const AnyslHits &hits);
 
-/// Where a shadow ray goes on that has passed a surface at distance t.
-inline float afterHit(float t) { return std::nextafter(t * (1 + 0x1p-20f), 1e30f); }
+/// Stores how much is hidden of what lies along ray i, of which nothing else is known.
+void storeOpacity(Vec3f opacity, uint32_t i, const AnyslHits &hits);
+/// Whether rays are not traced beyond the deepest level: from there comes no light, and what they
+/// would meet is of no interest.
+inline bool endsAtDepth(const RayPurpose &purpose, const AnyslHits &hits) {
+  return hits.shades == ANYSL_SHADE_ALL ||
+         (hits.shades == ANYSL_SHADE_FIRST && purpose.path.kind == RayKind::Diffuse);
+}
+
 /// How much of a shadow ray's light a surface lets pass whose shader makes it so opaque. What is no
 /// number hides all.
 inline Vec3f passedBy(Vec3f opacity) {
@@ -289,7 +297,7 @@ void storeUniformGlobals(uint64_t wanted, const Scene &scene, const Store &store
 
 /// Computes some globals of a hit into memory that nobody looks at, as hosts do before they shade.
 void computeAgain(ThreadState &state, const Scene &scene, const Hit &hit, const Ray &ray,
-                  unsigned depth, uint64_t globals);
+                  const RayPath &path, uint64_t globals);
 
 /// The surface that shows where a scene names none: lit from the eye.
 Vec3f defaultSurface(const SurfacePoint &point, Vec3f direction);

@@ -69,19 +69,18 @@ public:
     for (uint32_t i = 0; i < count; ++i)
       list.add(rays[i], i);
     state.counts.cameraRays += count;
-    follow(state, list, CameraRays, 0, maxLayers, radiance,
-           theScene.channels().size() > 0 ? channels : nullptr, nullptr);
+    follow(state, list, RayPurpose(), radiance, theScene.channels().size() > 0 ? channels : nullptr,
+           nullptr);
   }
   // Enough points for full packets after sorting, few enough for their arrays to stay in cache.
   uint32_t preferredCount() const override { return 256; }
   const Scene &scene() const override { return theScene; }
 
-  void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth, unsigned layers,
-              Radiance *radiance, float *channels, AnyslMessage *values) const override;
-  void nearest(RayList &rays, unsigned mask) const override {
-    findNearest<W>(theScene.geometry(), rays, mask);
-  }
-  void transmission(const PacketBatch &from, RayList &rays, Vec3f *passing) const override;
+  void follow(ThreadState &state, RayList &rays, const RayPurpose &purpose, Radiance *radiance,
+              float *channels, AnyslMessage *values) const override;
+  void nearest(RayList &rays, const RayPurpose &purpose) const override;
+  void transmission(const PacketBatch &from, RayList &rays, RayPurpose purpose,
+                    Vec3f *passing) const override;
 
 private:
   /// Calls act(group, medium, members, count) for the hits of each group in each medium, in the
@@ -98,9 +97,15 @@ private:
 };
 
 template <unsigned W>
-void SizedPacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                                unsigned layers, Radiance *radiance, float *channels,
-                                AnyslMessage *values) const {
+void SizedPacketHost<W>::nearest(RayList &rays, const RayPurpose &purpose) const {
+  findNearest<W>(theScene.geometry(), rays, purpose.mask);
+  for (uint32_t i = 0; purpose.chooses() && i < rays.count; ++i)
+    rays.set(i, firstSeen(theScene, rays.rayOf(i), rays.hitOf(i), purpose));
+}
+
+template <unsigned W>
+void SizedPacketHost<W>::follow(ThreadState &state, RayList &rays, const RayPurpose &purpose,
+                                Radiance *radiance, float *channels, AnyslMessage *values) const {
   const Geometry &geometry = theScene.geometry();
   uint32_t targets = 0;
   for (uint32_t i = 0; i < rays.count; ++i) {
@@ -115,9 +120,9 @@ void SizedPacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask
   // Each round takes the rays to the next surface; those that it lets through make the next round.
   RayList *current = &rays;
   RayList others[2] = {RayList(state.arena, 0), RayList(state.arena, 0)};
-  for (unsigned layer = 0; current->count > 0 && layer < layers; ++layer) {
+  for (unsigned layer = 0; current->count > 0 && layer < purpose.layers; ++layer) {
     RayList &list = *current;
-    nearest(list, mask);
+    nearest(list, purpose);
     RayList &behind = others[layer % 2];
     behind = RayList(state.arena, list.count);
 
@@ -136,8 +141,8 @@ void SizedPacketHost<W>::follow(ThreadState &state, RayList &rays, unsigned mask
          [&](const ShadingGroup &its, const Shader *medium, const uint32_t *members,
              uint32_t count) {
            shade(state,
-                 {list, members, count, its, medium ? medium : its.atmosphere, depth,
-                  depth == 0 ? RayKind::Camera : RayKind::Traced, channels},
+                 {list, members, count, its, medium ? medium : its.atmosphere, purpose.path,
+                  channels},
                  outcome);
          });
     current = &behind;
@@ -173,7 +178,7 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
   const Geometry &geometry = theScene.geometry();
   const Channels &channels = theScene.channels();
   const RayList &rays = members.rays;
-  const Shader *shader = members.group.shaderFor(members.kind), *volume = members.volume;
+  const Shader *shader = members.group.shaderFor(members.path.kind), *volume = members.volume;
   const uint32_t count = members.count;
   Arena::Scope scope(state.arena);
   size_t size = (size_t(count) + 15) / 16 * 16;
@@ -202,9 +207,9 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
     if (values && !members.group.bound.empty())
       values->set(i, theScene.bindingsOf(geometry.shapeOf(hit)), geometry.variablesAt(hit, point));
     if (needed & footprintBits)
-      findFootprint(theScene.camera, members.depth == 0, ray, point);
+      findFootprint(theScene.camera, members.path.depth == 0, ray, point);
     if (state.again)
-      computeAgain(state, theScene, hit, ray, members.depth, *state.again & needed);
+      computeAgain(state, theScene, hit, ray, members.path, *state.again & needed);
     starts.set(i, point);
     depths[i] = float(point.frame.P.z);
     globals.set(i, wanted, point, ray, ray.travelled);
@@ -222,8 +227,8 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
     seeds[i] = i < count ? rays.seed[members.numbers[i]] : 0;
     traced[i] = 0;
   }
-  PacketBatch batch{this,   &state,        &members.group, &starts, seeds,
-                    traced, members.depth, volume,         &members};
+  PacketBatch batch{this,   &state,       &members.group, &starts, seeds,
+                    traced, members.path, volume,         &members};
   AnyslShadeArgs surface = {};
   if (shader)
     surface = run(*shader, batch, count, globals, &*values);
@@ -254,14 +259,14 @@ void SizedPacketHost<W>::shade(ThreadState &state, const Members &members,
     run(*volume, batch, count, volumeGlobals, nullptr);
   }
 
-  for (uint32_t i = 0; members.kind == RayKind::Shadow && i < count; ++i)
+  for (uint32_t i = 0; members.path.kind == RayKind::Shadow && i < count; ++i)
     outcome.passing[rays.target[members.numbers[i]]] *=
         passedBy(globals.triple(ANYSL_COMPONENT_Oi, i));
-  for (uint32_t i = 0; members.kind != RayKind::Shadow && i < count; ++i) {
+  for (uint32_t i = 0; members.path.kind != RayKind::Shadow && i < count; ++i) {
     uint32_t ray = members.numbers[i], target = rays.target[ray];
     Vec3f &passing = outcome.passing[target], before = passing;
     Radiance &radiance = outcome.radiance[target];
-    bool seen = !members.group.matte || members.depth > 0;
+    bool seen = !members.group.matte || members.path.depth > 0;
     if (seen)
       radiance.color += passing * globals.triple(ANYSL_COMPONENT_Ci, i);
     passing *= Vec3f(1) - globals.triple(ANYSL_COMPONENT_Oi, i);
@@ -286,7 +291,7 @@ AnyslShadeArgs SizedPacketHost<W>::run(const Shader &shader, PacketBatch &batch,
   if (values)
     values->fill(args);
   state.counts.points += count;
-  state.counts.shadowPoints += batch.members->kind == RayKind::Shadow ? count : 0;
+  state.counts.shadowPoints += batch.members->path.kind == RayKind::Shadow ? count : 0;
   ++state.counts.batches;
   state.record(shader, *batch.group, args);
   LightScope lights(args, *batch.group->lights);
@@ -297,25 +302,33 @@ AnyslShadeArgs SizedPacketHost<W>::run(const Shader &shader, PacketBatch &batch,
 }
 
 template <unsigned W>
-void SizedPacketHost<W>::transmission(const PacketBatch &from, RayList &rays,
+void SizedPacketHost<W>::transmission(const PacketBatch &from, RayList &rays, RayPurpose purpose,
                                       Vec3f *passing) const {
   ThreadState &state = *from.state;
   const Geometry &geometry = theScene.geometry();
   state.counts.shadowRays += rays.count;
-  findBlocked<W>(geometry, rays);
+  purpose.mask = OpaqueShadowRays;
+  if (purpose.chooses())
+    nearest(rays, purpose);
+  else
+    findBlocked<W>(geometry, rays);
+  auto isBlocked = [&](uint32_t i) {
+    return purpose.chooses() ? rays.hitOf(i).isHit() : rays.t[i] < 0;
+  };
   RayList lists[2] = {RayList(state.arena, rays.count), RayList(state.arena, rays.count)};
   for (uint32_t i = 0; i < rays.count; ++i) {
-    bool blocked = rays.t[i] < 0;
+    bool blocked = isBlocked(i);
     passing[rays.target[i]] = Vec3f(blocked ? 0 : 1);
     if (!blocked && geometry.hasPartialShadows())
       lists[0].add(rays.rayOf(i), rays.target[i]);
   }
+  purpose.mask = PartialShadowRays;
   uint32_t *group = state.arena.allocate<uint32_t>(rays.count);
   for (unsigned layer = 0; layer < maxLayers; ++layer) {
     RayList &list = lists[layer % 2], &behind = lists[1 - layer % 2];
     if (list.count == 0)
       break;
-    nearest(list, PartialShadowRays);
+    nearest(list, purpose);
     behind.count = 0;
     bool isShaded = false;
     for (uint32_t i = 0; i < list.count; ++i) {
@@ -325,7 +338,7 @@ void SizedPacketHost<W>::transmission(const PacketBatch &from, RayList &rays,
         continue;
       uint32_t number = geometry.groupOf(hit), target = list.target[i];
       const ShadingGroup &its = theScene.group(number);
-      if (its.shadow && from.members->kind != RayKind::Shadow) {
+      if (its.shadow && from.members->path.kind != RayKind::Shadow) {
         group[i] = number;
         isShaded = true;
       } else {
@@ -338,8 +351,7 @@ void SizedPacketHost<W>::transmission(const PacketBatch &from, RayList &rays,
     if (isShaded)
       sort(state.arena, list, group,
            [&](const ShadingGroup &its, const Shader *, const uint32_t *members, uint32_t count) {
-             shade(state,
-                   {list, members, count, its, nullptr, from.depth + 1, RayKind::Shadow, nullptr},
+             shade(state, {list, members, count, its, nullptr, purpose.path, nullptr},
                    {passing, nullptr, nullptr, nullptr, nullptr});
            });
   }

@@ -20,8 +20,7 @@ struct Members {
   uint32_t count;
   const ShadingGroup &group;
   const Shader *volume; ///< that they came through, or null
-  unsigned depth;
-  RayKind kind;
+  RayPath path;
   float *channels; ///< of all targets, or null
 };
 
@@ -33,14 +32,14 @@ struct PacketBatch {
   const RayStarts *starts;
   const uint32_t *seeds;
   uint32_t *rays; ///< how many rays each point has traced so far
-  unsigned depth;
+  RayPath path;
   const Shader *volume; ///< that the rays came through, or null
   const Members *members;
   const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
 
   /// What is known of a point, which may lie beyond the last one.
   Asker asker(uint32_t point) const {
-    Asker result{group, volume, surface, depth, {}, members->kind};
+    Asker result{group, volume, surface, path, {}};
     if (point < members->count)
       result.hit = members->rays.hitOf(members->numbers[point]);
     return result;
@@ -50,14 +49,14 @@ struct PacketBatch {
 /// How the services see the host, whatever the width of its packets.
 class PacketHost : public Host {
 public:
-  /// Follows rays through at most `layers` surfaces.
-  virtual void follow(ThreadState &state, RayList &rays, unsigned mask, unsigned depth,
-                      unsigned layers, Radiance *radiance, float *channels,
+  virtual void follow(ThreadState &state, RayList &rays, const RayPurpose &purpose,
+                      Radiance *radiance, float *channels,
                       AnyslMessage *values = nullptr) const = 0;
-  virtual void nearest(RayList &rays, unsigned mask) const = 0;
+  virtual void nearest(RayList &rays, const RayPurpose &purpose) const = 0;
   /// How much light arrives along the rays, which a batch's points ask for. Where a shader is asked
   /// how opaque a surface is, those behind that shader's own shadow rays are as they are anyhow.
-  virtual void transmission(const PacketBatch &from, RayList &rays, Vec3f *passing) const = 0;
+  virtual void transmission(const PacketBatch &from, RayList &rays, RayPurpose purpose,
+                            Vec3f *passing) const = 0;
 };
 
 extern const AnyslServices packetServices;

@@ -62,7 +62,8 @@ void traceAll(const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32
   RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
     return hash(batch.seeds[point], ++batch.rays[point]);
   });
-  if (rays.count == 0 || batch.depth >= batch.host->scene().description.maxDepth)
+  RayPurpose purpose = tracedFrom(batch.path, RayKind::Traced);
+  if (rays.count == 0 || !isWithinDepth(batch.host->scene(), *batch.group, purpose.path))
     return;
   const float *const along[3] = {R, R + width, R + 2 * width};
   spreadRays(rays, batch, asked, first, along, change);
@@ -71,7 +72,7 @@ void traceAll(const AnyslShadeArgs *args, uint32_t first, uint32_t width, uint32
   for (uint32_t i = 0; i < rays.count; ++i)
     rays.medium[i] =
         batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
-  batch.host->follow(state, rays, TraceRays, batch.depth + 1, maxLayers, radiance, nullptr);
+  batch.host->follow(state, rays, purpose, radiance, nullptr);
   for (uint32_t i = 0; i < rays.count; ++i)
     for (int k = 0; k < 3; ++k)
       color[k][rays.target[i]] = radiance[rays.target[i]].color[k];
@@ -110,7 +111,7 @@ void serveDistancePacket(void *, const AnyslShadeArgs *args, uint32_t first, uin
   makeTraceRays(*batch.starts, first, width, P, R, asked);
   RayList rays = gather(batch, asked, first, width, mask, [](uint32_t) { return 0u; });
   state.counts.traceRays += rays.count;
-  batch.host->nearest(rays, TraceRays);
+  batch.host->nearest(rays, tracedFrom(batch.path, RayKind::Traced));
   for (uint32_t i = 0; i < rays.count; ++i)
     distance[rays.target[i]] = rays.t[i];
 }
@@ -127,7 +128,7 @@ void serveTransmissionPacket(void *, const AnyslShadeArgs *args, uint32_t first,
   RayList rays = gather(batch, asked, first, width, mask,
                         [&](uint32_t point) { return hash(batch.seeds[point], towardsLight); });
   Vec3f *passing = state.arena.allocate<Vec3f>(width);
-  batch.host->transmission(batch, rays, passing);
+  batch.host->transmission(batch, rays, tracedFrom(batch.path, RayKind::Shadow), passing);
   for (uint32_t i = 0; i < rays.count; ++i)
     setLane(color, width, rays.target[i], passing[rays.target[i]]);
 }
@@ -139,28 +140,37 @@ void serveHits(void *, const AnyslShadeArgs *args, uint32_t first, uint32_t widt
   ThreadState &state = *batch.state;
   ServiceScope service(state);
   Arena::Scope scope(state.arena);
-  AskedRays asked;
-  makeTraceRays(*batch.starts, first, width, Joined(P, width).values, Joined(R, width).values,
-                asked);
-  for (uint32_t i = 0; i < width; ++i)
-    limitReach(asked, i, reach[i]);
-  RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
-    return hash(batch.seeds[point], ++batch.rays[point]);
-  });
-  state.counts.traceRays += rays.count;
   const Scene &scene = batch.host->scene();
-  // Beyond the deepest level surfaces are black.
-  bool shades = hits->shades && batch.depth < scene.description.maxDepth;
+  RayPurpose purpose = askedFrom(batch.path, *hits);
+  bool isShadow = purpose.path.kind == RayKind::Shadow;
+  AskedRays asked;
+  makeAskedRays(*batch.starts, first, width, Joined(P, width).values, Joined(R, width).values,
+                reach, isShadow, asked);
+  RayList rays = gather(batch, asked, first, width, mask, [&](uint32_t point) {
+    return hash(batch.seeds[point], isShadow ? towardsLight : ++batch.rays[point]);
+  });
+  bool isWithin = isWithinDepth(scene, *batch.group, purpose.path);
+  if (isShadow || (!isWithin && endsAtDepth(purpose, *hits))) {
+    Vec3f *passing = state.arena.allocate<Vec3f>(width);
+    std::fill_n(passing, width, Vec3f());
+    if (isShadow)
+      batch.host->transmission(batch, rays, purpose, passing);
+    for (uint32_t i = 0; i < rays.count; ++i)
+      storeOpacity(Vec3f(1) - passing[rays.target[i]], rays.target[i], *hits);
+    return;
+  }
+  state.counts.traceRays += rays.count;
   Radiance *radiance = state.arena.allocate<Radiance>(width);
-  if (shades) {
+  if (hits->shades && isWithin) {
     for (uint32_t i = 0; i < rays.count; ++i)
       rays.medium[i] =
           batch.starts->medium(first + rays.target[i], rays.directionOf(i), *batch.group);
     spreadRays(rays, batch, asked, first, R, hits->change);
-    batch.host->follow(state, rays, TraceRays, batch.depth + 1, 1, radiance, nullptr, hits->values);
+    batch.host->follow(state, rays, purpose, radiance, nullptr, hits->values);
   } else {
+    // Beyond the deepest level surfaces are black.
     std::fill_n(radiance, width, Radiance{Vec3f(), Vec3f(1), 1});
-    batch.host->nearest(rays, TraceRays);
+    batch.host->nearest(rays, purpose);
     for (uint32_t i = 0; hits->values && i < rays.count; ++i)
       answerValues(hits->values[rays.target[i]], {&scene, rays.hitOf(i), rays.rayOf(i)});
   }

@@ -169,23 +169,25 @@ int answerRenderer(const AnyslQuery &query, AnyslCell *value) {
   return answerNumbers(query, {numbers[0], numbers[1], numbers[2], 0}, value);
 }
 
-int answerRay(const Asker &asker, const AnyslQuery &query, AnyslCell *value) {
+int answerRay(const RayPath &path, const AnyslQuery &query, AnyslCell *value) {
   std::string_view name = query.name;
-  double inShadow = asker.rays == RayKind::Shadow ? 1 : 0;
   if (name == "depth")
-    return answerNumbers(query, {double(asker.depth)}, value);
+    return answerNumbers(query, {double(path.depth)}, value);
   if (name == "speculardepth")
-    return answerNumbers(query, {asker.depth - inShadow}, value);
-  if (name == "shadowdepth")
-    return answerNumbers(query, {inShadow}, value);
+    return answerNumbers(query, {double(path.specular())}, value);
   if (name == "diffusedepth")
-    return answerNumbers(query, {0}, value);
-  if (name == "type")
-    return answerText(query,
-                      inShadow      ? "transmission"
-                      : asker.depth ? "specular"
-                                    : "camera",
-                      value);
+    return answerNumbers(query, {double(path.diffuse)}, value);
+  if (name == "shadowdepth")
+    return answerNumbers(query, {double(path.shadow())}, value);
+  if (name != "type")
+    return 0;
+  static constexpr std::pair<RayKind, const char *> types[] = {{RayKind::Camera, "camera"},
+                                                               {RayKind::Traced, "specular"},
+                                                               {RayKind::Diffuse, "diffuse"},
+                                                               {RayKind::Shadow, "transmission"}};
+  for (const auto &[kind, type] : types)
+    if (kind == path.kind)
+      return answerText(query, type, value);
   return 0;
 }
 
@@ -220,7 +222,7 @@ int anysl::render::serveQuery(const Shader &shader, const Asker &asker, const An
   case ANYSL_QUERY_attribute:
     return answerAttribute(*group.appearance, query, value);
   case ANYSL_QUERY_rayinfo:
-    return answerRay(asker, query, value);
+    return answerRay(asker.path, query, value);
   default:
     return 0;
   }

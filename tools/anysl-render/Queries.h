@@ -20,9 +20,8 @@ struct Asker {
   const ShadingGroup *group = nullptr;
   const Shader *volume = nullptr;          ///< that the rays came through, or null
   const AnyslShadeArgs *surface = nullptr; ///< what it was shaded with, for its volume
-  unsigned depth = 0;             ///< how many traced rays lie between the eye and the points
-  std::optional<Hit> hit;         ///< where the point that asks lies, if it is one
-  RayKind rays = RayKind::Camera; ///< those that have led to the points
+  RayPath path;                            ///< that has led to the points
+  std::optional<Hit> hit;                  ///< where the point that asks lies, if it is one
 };
 
 /// The service `query`: `shader` asks.

@@ -34,6 +34,10 @@ struct RayList {
     return {originOf(i), directionOf(i), near[i],   far[i],
             seed[i],     travelled[i],   medium[i], spread[i]};
   }
+  void set(uint32_t i, const Hit &hit) {
+    t[i] = hit.t, u[i] = hit.u, v[i] = hit.v;
+    geometry[i] = hit.geometry, primitive[i] = hit.primitive;
+  }
   Hit hitOf(uint32_t i) const { return {t[i], u[i], v[i], geometry[i], primitive[i]}; }
 };
 

@@ -27,15 +27,14 @@ struct PointBatch {
   ThreadState *state;
   const ShadingGroup *group;
   RayStarts starts;
-  unsigned depth;
+  RayPath path;
   uint32_t seed;
   uint32_t rays = 0;              ///< how many the shader has traced from this point
   const Shader *volume = nullptr; ///< that the ray came through, or null
   const Hit *hit = nullptr;
   const AnyslShadeArgs *surface = nullptr; ///< while a volume is shaded, what the surface was with
-  RayKind kind = RayKind::Camera;
 
-  Asker asker(uint32_t) const { return {group, volume, surface, depth, *hit, kind}; }
+  Asker asker(uint32_t) const { return {group, volume, surface, path, *hit}; }
 };
 
 /// What shaders make of a point.
@@ -54,24 +53,22 @@ public:
              float *channels) const override {
     const unsigned size = theScene.channels().size();
     for (uint32_t i = 0; i < count; ++i)
-      radiance[i] = follow(state, rays[i], CameraRays, 0, maxLayers,
-                           size > 0 ? channels + i * size : nullptr);
+      radiance[i] = follow(state, rays[i], RayPurpose(), size > 0 ? channels + i * size : nullptr);
     state.counts.cameraRays += count;
   }
   uint32_t preferredCount() const override { return 1; }
   const Scene &scene() const override { return theScene; }
 
 private:
-  /// Follows a ray through at most `layers` surfaces.
-  /// `values`: what else is asked of the first.
-  Radiance follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth, unsigned layers,
-                  float *channels, AnyslMessage *values = nullptr) const;
+  /// `values`: what else is asked of the first surface.
+  Radiance follow(ThreadState &state, Ray ray, const RayPurpose &purpose, float *channels,
+                  AnyslMessage *values = nullptr) const;
   /// How much light arrives along a ray that a point asks for. Where a shader is asked how opaque a
   /// surface is, those behind that shader's own shadow rays are as they are anyhow.
-  Vec3f transmission(const PointBatch &from, const Ray &ray) const;
+  Vec3f transmission(const PointBatch &from, const Ray &ray, RayPurpose purpose) const;
   /// Shades what a ray has met, and gives what rays start from there. The memory for that is of the
   /// caller's scope.
-  RayStarts shade(ThreadState &state, const Hit &hit, const Ray &ray, unsigned depth, RayKind kind,
+  RayStarts shade(ThreadState &state, const Hit &hit, const Ray &ray, const RayPath &path,
                   PointColors &colors, float *channels, AnyslMessage *values) const;
   template <typename Real>
   void shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
@@ -117,22 +114,21 @@ struct Triple {
   float value[3];
 };
 
-Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned depth,
-                            unsigned layers, float *channels, AnyslMessage *values) const {
+Radiance ScalarHost::follow(ThreadState &state, Ray ray, const RayPurpose &purpose, float *channels,
+                            AnyslMessage *values) const {
   const Geometry &geometry = theScene.geometry();
   Radiance radiance;
   PointColors colors{Vec3f(1), true, {}, {}};
-  for (unsigned layer = 0; layer < layers; ++layer) {
-    Hit hit = geometry.intersect(ray, mask);
+  for (unsigned layer = 0; layer < purpose.layers; ++layer) {
+    Hit hit = nearestHit(theScene, ray, purpose);
     if (!hit.isHit()) {
       radiance.color += colors.passing * theScene.background.color(ray.direction);
       break;
     }
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
     Arena::Scope scope(state.arena);
-    RayStarts starts = shade(state, hit, ray, depth, depth == 0 ? RayKind::Camera : RayKind::Traced,
-                             colors, channels, values);
-    bool seen = !group.matte || depth > 0;
+    RayStarts starts = shade(state, hit, ray, purpose.path, colors, channels, values);
+    bool seen = !group.matte || purpose.path.depth > 0;
     if (seen)
       radiance.color += colors.passing * colors.Ci;
     Vec3f before = colors.passing;
@@ -150,27 +146,25 @@ Radiance ScalarHost::follow(ThreadState &state, Ray ray, unsigned mask, unsigned
   return radiance;
 }
 
-RayStarts ScalarHost::shade(ThreadState &state, const Hit &hit, const Ray &ray, unsigned depth,
-                            RayKind kind, PointColors &colors, float *channels,
-                            AnyslMessage *values) const {
+RayStarts ScalarHost::shade(ThreadState &state, const Hit &hit, const Ray &ray, const RayPath &path,
+                            PointColors &colors, float *channels, AnyslMessage *values) const {
   const Geometry &geometry = theScene.geometry();
   const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
-  const Shader *shader = group.shaderFor(kind), *volume = nullptr;
-  if (kind != RayKind::Shadow)
+  const Shader *shader = group.shaderFor(path.kind), *volume = nullptr;
+  if (path.kind != RayKind::Shadow)
     volume = ray.medium ? ray.medium : group.atmosphere;
   uint64_t needed = group.globalsOfOthers() | (shader ? shader->needed : 0) |
                     (volume ? volume->needed : 0) | (channels ? theScene.channels().globals() : 0);
   SurfacePoint point;
   geometry.evaluate(hit, ray.origin, ray.direction, needed, point);
   if (needed & footprintBits)
-    findFootprint(theScene.camera, depth == 0, ray, point);
+    findFootprint(theScene.camera, path.depth == 0, ray, point);
   if (state.again)
-    computeAgain(state, theScene, hit, ray, depth, *state.again & needed);
-  PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), depth, ray.seed};
+    computeAgain(state, theScene, hit, ray, path, *state.again & needed);
+  PointBatch batch{this, &state, &group, RayStarts(state.arena, 1), path, ray.seed};
   batch.starts.set(0, point);
   batch.volume = volume;
   batch.hit = &hit;
-  batch.kind = kind;
   if (theScene.real() == ANYSL_REAL_DOUBLE)
     shade<double>(batch, hit, point, ray, volume, colors, channels, values);
   else
@@ -182,7 +176,7 @@ template <typename Real>
 void ScalarHost::shade(PointBatch &batch, const Hit &hit, const SurfacePoint &point, const Ray &ray,
                        const Shader *volume, PointColors &colors, float *channels,
                        AnyslMessage *asked) const {
-  const Shader *shader = batch.group->shaderFor(batch.kind);
+  const Shader *shader = batch.group->shaderFor(batch.path.kind);
   Arena &arena = batch.state->arena;
   Arena::Scope scope(arena);
   // The interface promises room for 16 points; only the first is ever written.
@@ -248,7 +242,7 @@ AnyslShadeArgs ScalarHost::run(const Shader &shader, const ShadingGroup &group, 
   if (values)
     values->fill(args);
   ++batch.state->counts.points;
-  batch.state->counts.shadowPoints += batch.kind == RayKind::Shadow;
+  batch.state->counts.shadowPoints += batch.path.kind == RayKind::Shadow;
   ++batch.state->counts.batches;
   batch.state->record(shader, group, args);
   LightScope lights(args, *group.lights);
@@ -259,9 +253,10 @@ AnyslShadeArgs ScalarHost::run(const Shader &shader, const ShadingGroup &group, 
   return args;
 }
 
-Vec3f ScalarHost::transmission(const PointBatch &from, const Ray &ray) const {
+Vec3f ScalarHost::transmission(const PointBatch &from, const Ray &ray, RayPurpose purpose) const {
   ThreadState &state = *from.state;
   const Geometry &geometry = theScene.geometry();
+  purpose.mask = OpaqueShadowRays;
   RTCRay query = {ray.origin.x,
                   ray.origin.y,
                   ray.origin.z,
@@ -271,24 +266,28 @@ Vec3f ScalarHost::transmission(const PointBatch &from, const Ray &ray) const {
                   ray.direction.z,
                   0,
                   ray.far,
-                  OpaqueShadowRays,
+                  purpose.mask,
                   0,
                   0};
   ++state.counts.shadowRays;
-  geometry.occluded<1>(nullptr, query);
+  if (!purpose.chooses())
+    geometry.occluded<1>(nullptr, query);
+  else if (nearestHit(theScene, ray, purpose).isHit())
+    return Vec3f();
   if (query.tfar < 0)
     return Vec3f();
+  purpose.mask = PartialShadowRays;
   Vec3f passing(1);
   Ray rest = ray;
   for (unsigned layer = 0; geometry.hasPartialShadows() && layer < maxLayers; ++layer) {
-    Hit hit = geometry.intersect(rest, PartialShadowRays);
+    Hit hit = nearestHit(theScene, rest, purpose);
     if (!hit.isHit())
       break;
     const ShadingGroup &group = theScene.group(geometry.groupOf(hit));
-    if (group.shadow && from.kind != RayKind::Shadow) {
+    if (group.shadow && from.path.kind != RayKind::Shadow) {
       Arena::Scope scope(state.arena);
       PointColors colors{Vec3f(1), true, {}, {}};
-      shade(state, hit, rest, from.depth + 1, RayKind::Shadow, colors, nullptr, nullptr);
+      shade(state, hit, rest, purpose.path, colors, nullptr, nullptr);
       passing *= passedBy(colors.Oi);
     } else {
       passing *= passedAt(geometry, group, hit, rest.origin, rest.direction);
@@ -307,7 +306,8 @@ Vec3f ScalarHost::traceAsked(PointBatch &batch, const float *P, const float *R,
   uint32_t seed = hash(batch.seed, ++batch.rays);
   AskedRays asked;
   makeTraceRays(batch.starts, 0, 1, P, R, asked);
-  if (batch.depth >= batch.host->theScene.description.maxDepth || !asked.valid[0])
+  RayPurpose purpose = tracedFrom(batch.path, RayKind::Traced);
+  if (!isWithinDepth(batch.host->theScene, *batch.group, purpose.path) || !asked.valid[0])
     return Vec3f();
   ++batch.state->counts.traceRays;
   Ray ray = asked.ray(0, seed);
@@ -316,8 +316,7 @@ Vec3f ScalarHost::traceAsked(PointBatch &batch, const float *P, const float *R,
   const float *const along[3] = {R, R + 1, R + 2};
   if (change && spreadRay(batch.starts, 0, asked, 0, along, *change, spread))
     ray.spread = &spread;
-  return batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, maxLayers, nullptr)
-      .color;
+  return batch.host->follow(*batch.state, ray, purpose, nullptr).color;
 }
 
 void ScalarHost::serveTrace(void *, const AnyslShadeArgs *args, uint32_t, const double *P,
@@ -342,27 +341,32 @@ void ScalarHost::serveHits(void *, const AnyslShadeArgs *args, uint32_t, uint32_
                            const float *const *P, const float *const *R, const float *reach,
                            const AnyslHits *hits) {
   auto &batch = *static_cast<PointBatch *>(args->batch);
+  const Scene &scene = batch.host->theScene;
   ServiceScope scope(*batch.state);
-  uint32_t seed = hash(batch.seed, ++batch.rays);
+  RayPurpose purpose = askedFrom(batch.path, *hits);
+  bool isShadow = purpose.path.kind == RayKind::Shadow;
+  uint32_t seed = hash(batch.seed, isShadow ? towardsLight : ++batch.rays);
   const float from[3] = {*P[0], *P[1], *P[2]}, along[3] = {*R[0], *R[1], *R[2]};
   AskedRays asked;
-  makeTraceRays(batch.starts, 0, 1, from, along, asked);
-  limitReach(asked, 0, *reach);
+  makeAskedRays(batch.starts, 0, 1, from, along, reach, isShadow, asked);
   if (!asked.valid[0])
     return;
-  const Scene &scene = batch.host->theScene;
-  ++batch.state->counts.traceRays;
   Ray ray = asked.ray(0, seed);
+  if (isShadow)
+    return storeOpacity(Vec3f(1) - batch.host->transmission(batch, ray, purpose), 0, *hits);
+  bool isWithin = isWithinDepth(scene, *batch.group, purpose.path);
+  if (!isWithin && endsAtDepth(purpose, *hits))
+    return storeOpacity(Vec3f(1), 0, *hits);
+  ++batch.state->counts.traceRays;
   ray.medium = batch.starts.medium(0, ray.direction, *batch.group);
   RaySpread spread;
   if (hits->change && spreadRay(batch.starts, 0, asked, 0, R, *hits->change, spread))
     ray.spread = &spread;
-  Hit hit = scene.geometry().intersect(ray, TraceRays);
+  Hit hit = nearestHit(scene, ray, purpose);
   Radiance radiance{Vec3f(), Vec3f(1), 1};
   // Beyond the deepest level surfaces are black.
-  if (hits->shades && batch.depth < scene.description.maxDepth)
-    radiance =
-        batch.host->follow(*batch.state, ray, TraceRays, batch.depth + 1, 1, nullptr, hits->values);
+  if (hits->shades && isWithin)
+    radiance = batch.host->follow(*batch.state, ray, purpose, nullptr, hits->values);
   else if (hits->values)
     answerValues(*hits->values, {&scene, hit, ray});
   storeHit(scene.geometry(), hit, ray, radiance, 0, *hits);
@@ -377,7 +381,7 @@ double ScalarHost::serveDistance(void *, const AnyslShadeArgs *args, uint32_t, c
   if (!asked.valid[0])
     return 1e30;
   ++batch.state->counts.traceRays;
-  return batch.host->theScene.geometry().intersect(asked.ray(0, 0), TraceRays).t;
+  return batch.host->theScene.geometry().intersect(asked.ray(0, 0), SpecularRays).t;
 }
 
 void ScalarHost::serveTransmission(void *, const AnyslShadeArgs *args, uint32_t, const double *from,
@@ -388,7 +392,8 @@ void ScalarHost::serveTransmission(void *, const AnyslShadeArgs *args, uint32_t,
   AskedRays asked;
   makeShadowRays(batch.starts, 0, 1, Triple(from).value, Triple(to).value, asked);
   if (asked.valid[0])
-    result = batch.host->transmission(batch, asked.ray(0, hash(batch.seed, towardsLight)));
+    result = batch.host->transmission(batch, asked.ray(0, hash(batch.seed, towardsLight)),
+                                      tracedFrom(batch.path, RayKind::Shadow));
   for (int k = 0; k < 3; ++k)
     color[k] = result[k];
 }

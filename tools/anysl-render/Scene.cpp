@@ -137,7 +137,7 @@ const Shader *Scene::specialise(int index, const std::vector<Parameter> &constan
 
 void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
   using Key = std::tuple<const Shader *, std::array<int, 5>, bool, const LightSet *, uint32_t,
-                         uint32_t, std::vector<uint32_t>>;
+                         uint32_t, std::vector<uint32_t>, std::pair<unsigned, unsigned>>;
   std::map<Key, uint32_t> known;
   constexpr uint32_t anyObject = ~uint32_t(0);
   auto shaderOf = [&](int index) { return index < 0 ? nullptr : shaders[size_t(index)].get(); };
@@ -173,7 +173,8 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
             &set->second,
             bySpace ? i : anyObject,
             byAppearance ? shape.appearance : anyObject,
-            std::move(bound)};
+            std::move(bound),
+            {appearance.maxDiffuseDepth, appearance.maxSpecularDepth}};
     auto [entry, isNewGroup] = known.try_emplace(key, uint32_t(groups.size()));
     if (isNewGroup) {
       ShadingGroup &group = groups.emplace_back();
@@ -187,6 +188,8 @@ void Scene::makeGroups(const AnyslServices &services, Warnings &warnings) {
       group.lights = &set->second;
       group.object = Space(shape.objectToCamera);
       group.matte = appearance.matte;
+      group.maxDiffuseDepth = appearance.maxDiffuseDepth;
+      group.maxSpecularDepth = appearance.maxSpecularDepth;
       group.bound = found.varying;
       group.appearance = &appearance;
       if (byAppearance && appearance.coshaders)

@@ -17,6 +17,19 @@
 
 namespace anysl::render {
 
+/// How points have been reached: the rays that shaders have traced between the eye and them.
+struct RayPath {
+  unsigned depth = 0;             ///< all of these rays
+  unsigned diffuse = 0;           ///< those for means over many directions
+  RayKind kind = RayKind::Camera; ///< of the last ray
+
+  unsigned shadow() const { return kind == RayKind::Shadow ? 1 : 0; }
+  unsigned specular() const { return depth - diffuse - shadow(); }
+  RayPath then(RayKind next) const {
+    return {depth + 1, diffuse + (next == RayKind::Diffuse ? 1 : 0), next};
+  }
+};
+
 /// Points that may share a batch: the same shaders, one set of lights, and one object where a
 /// shader may ask for "object" space.
 struct ShadingGroup {
@@ -36,6 +49,7 @@ struct ShadingGroup {
     return rays == RayKind::Shadow ? shadow : shader ? &shader->of(rays) : nullptr;
   }
   bool matte = false; ///< hides what is behind it from the camera, and is transparent itself
+  unsigned maxDiffuseDepth = 1, maxSpecularDepth = 64; ///< of rays that start here
   /// Parameters of the surface shader that take their values from the shapes' variables, which each
   /// shape has in its own places.
   std::vector<Binding> bound;

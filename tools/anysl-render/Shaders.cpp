@@ -252,9 +252,13 @@ std::vector<const WantedLibrary *> ShaderLoader::opened() const {
 
 ShaderLoader::Linked ShaderLoader::linkedForScene() const {
   Linked result;
+  // Camera rays, traced ones whatever for, shadow rays.
+  auto column = [](RayKind rays) {
+    return size_t(rays == RayKind::Camera ? 0 : rays == RayKind::Shadow ? 2 : 1);
+  };
   for (const auto &opened : libraries)
     if (anysl_library_demand(opened->library.get()))
-      ++result[opened->wanted.name][size_t(opened->wanted.rays)];
+      ++result[opened->wanted.name][column(opened->wanted.rays)];
   return result;
 }
 

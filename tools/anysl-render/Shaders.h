@@ -53,7 +53,7 @@ struct Shader {
   /// The same linked for what these rays want of it; null: as it is.
   std::unique_ptr<Shader> forTraced, forShadow;
   const Shader &of(RayKind rays) const {
-    const auto &other = rays == RayKind::Traced ? forTraced : forShadow;
+    const auto &other = rays == RayKind::Shadow ? forShadow : forTraced;
     return rays == RayKind::Camera || !other ? *this : *other;
   }
   bool asksFor(stc::Service service) const { return stc::has(info->services, service); }

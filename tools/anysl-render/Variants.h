@@ -15,9 +15,9 @@ namespace anysl::render {
 
 class SceneLights;
 
-/// What a ray wants of the surfaces that it meets: all that pictures show, light and opacity, or
-/// opacity alone.
-enum class RayKind { Camera, Traced, Shadow };
+/// What a ray wants of the surfaces that it meets: all that pictures show, light and opacity (from
+/// one direction, or for a mean over many), or opacity alone.
+enum class RayKind { Camera, Traced, Diffuse, Shadow };
 
 /// A library that a scene wants: a shader, linked for some of its uses.
 struct WantedLibrary {

@@ -16,16 +16,17 @@
 #include <anysl/standard/ray-change.h>
 
 #define ANYSL_HIT_BARE_PARAMETERS                                                                  \
-  const AnyslShadeArgs *args, uint32_t point, uint32_t shades, const float *px, const float *py,   \
+  const AnyslShadeArgs *args, uint32_t point, uint32_t shades, const char *const *kind,            \
+      const char *const *subset, const char *const *sides, const float *px, const float *py,       \
       const float *pz, const float *rx, const float *ry, const float *rz, const float *reach,      \
       float *distance, float *nx, float *ny, float *nz, float *gx, float *gy, float *gz,           \
       float *red, float *green, float *blue, float *opaqueRed, float *opaqueGreen,                 \
       float *opaqueBlue
 #define ANYSL_HIT_BARE_ARGUMENTS                                                                   \
-  args, point, shades, px, py, pz, rx, ry, rz, reach, distance, nx, ny, nz, gx, gy, gz, red,       \
-      green, blue, opaqueRed, opaqueGreen, opaqueBlue
+  args, point, shades, kind, subset, sides, px, py, pz, rx, ry, rz, reach, distance, nx, ny, nz,   \
+      gx, gy, gz, red, green, blue, opaqueRed, opaqueGreen, opaqueBlue
 /// The same in the vector function ABI's letters: uniform, linear, and addresses of lanes.
-#define ANYSL_HIT_BARE_LETTERS "ulul4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4"
+#define ANYSL_HIT_BARE_LETTERS "ulul8l8l8l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4l4"
 
 // Where numbers carry derivatives, the ray's go along.
 #ifdef ANYSL_REAL_HAS_DERIVATIVES
@@ -40,8 +41,8 @@
 
 namespace anysl {
 
-/// Serves the points of `mask`, of `width` from `point` on, by one call of the renderer; `change`
-/// and `values` may be null.
+/// Serves the points of `mask`, of `width` from `point` on: those whose rays are alike by one call
+/// of the renderer; `change` and `values` may be null.
 inline void askForHits(ANYSL_HIT_BARE_PARAMETERS, const AnyslRayDerivatives *change, uint32_t width,
                        uint32_t mask, AnyslMessage *values = nullptr) {
   AnyslHits hits = {sizeof(AnyslHits),
@@ -52,15 +53,32 @@ inline void askForHits(ANYSL_HIT_BARE_PARAMETERS, const AnyslRayDerivatives *cha
                     {red, green, blue},
                     {opaqueRed, opaqueGreen, opaqueBlue},
                     values,
-                    change};
+                    change,
+                    "",
+                    "",
+                    ""};
   for (uint32_t i = 0; i < width; ++i) {
     distance[i] = -1;
     for (uint32_t c = 0; c < 3; ++c)
       hits.N[c][i] = hits.Ng[c][i] = hits.color[c][i] = hits.opacity[c][i] = 0;
   }
   const float *const P[3] = {px, py, pz}, *const R[3] = {rx, ry, rz};
-  if (args->services->trace_hit)
-    args->services->trace_hit(args->renderer, args, point, width, mask, P, R, reach, &hits);
+  if (!args->services->trace_hit)
+    return;
+  while (mask) {
+    uint32_t lead = uint32_t(__builtin_ctz(mask)), group = 0;
+    for (uint32_t i = lead; i < width; ++i)
+      if (mask >> i & 1)
+        group |= uint32_t(sameText(kind[i], kind[lead]) && sameText(subset[i], subset[lead]) &&
+                          sameText(sides[i], sides[lead]))
+                 << i;
+    mask &= ~group;
+    auto text = [](const char *t) { return t ? t : ""; };
+    hits.kind = text(kind[lead]);
+    hits.subset = text(subset[lead]);
+    hits.sides = text(sides[lead]);
+    args->services->trace_hit(args->renderer, args, point, width, group, P, R, reach, &hits);
+  }
 }
 
 /// The same for what a runtime's own function is called with.

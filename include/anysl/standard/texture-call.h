@@ -65,14 +65,6 @@ constexpr uint32_t textureQuery(TextureKind kind, uint32_t channels) {
 /// Added to a query that asks for slopes as well.
 constexpr uint32_t slopesQuery = 1 << 16;
 
-inline bool sameText(const char *a, const char *b) {
-  if (a == b || !a || !b)
-    return a == b;
-  for (; *a && *a == *b; ++a, ++b)
-    ;
-  return *a == *b;
-}
-
 /// Serves the points of `mask`, of `width` from `point` on: those that ask the same of the same
 /// file by one call of the renderer.
 inline void askForTextures(ANYSL_TEXTURE_PARAMETERS, uint32_t width, uint32_t mask) {

@@ -1,6 +1,6 @@
 // gather, occlusion and their like over a plane, z = -1, that is all there is: what they find is known, exactly along
 // one ray, within the errors of stratified sampling over a cone.
-// TESTS: cone_direction indirect_diffuse occlusion trace_cone transmission_cone
+// TESTS: cone_direction indirect_diffuse occlusion trace_cone trace_length transmission_cone
 // RUN: %shade_everywhere %s %t
 // ARGS: --grid 11x3
 // REALS: float
@@ -19,10 +19,11 @@
 // EXPECT sky: 1
 // EXPECT cones: 0 0 0
 // EXPECT passing: 1 1 0
+// EXPECT among: 1 0 1
 
 surface rays(output varying float open = 1, hidden = 0, side = 0, beyond = 1, fading[3] = {0, 0, 0}, counts[4] = {0, 0, 0, 0};
              output varying float found[4] = {0, 0, 0, 0}, missed = 0, sky = 0;
-             output varying vector place = 1, normals = 0; output varying color ground = 0, cones = 1, passing = 0) {
+             output varying vector place = 1, normals = 0; output varying color ground = 0, cones = 1, passing = 0, among = 0.5) {
   normal up = (0, 0, 1), down = (0, 0, -1), across = (1, 0, 0);
   open = occlusion(P, up, 16, "bias", 0.01, "label", "any");
   hidden = occlusion(P, down);
@@ -73,4 +74,7 @@ surface rays(output varying float open = 1, hidden = 0, side = 0, beyond = 1, fa
   cones = trace(P, down, "samples", 3, "samplecone", 0) - color trace(P, down) + color trace(P, up, "maxdist", 5) - color trace(P, up);
   passing = (comp(transmission(P, P + up, "samples", 4, "samplecone", 0.3), 0),
              float trace(P, down, "bias", 0.1), comp(visibility(P, P + 2 * down), 0));
+  // All is in every set here.
+  among = (comp(transmission(P, P + up, "subset", "a"), 0), comp(transmission(P, P + 2 * down, "hitsides", "both"), 0),
+           float trace(P, down, "subset", "a"));
 }

@@ -137,6 +137,7 @@ TEST_CASE("points that name different files are served file by file") {
 
 TEST_CASE("rays tell what they meet first") {
   static uint32_t shades;
+  static std::string asked;
   Batch batch;
   batch.services.trace_hit = [](void *, const AnyslShadeArgs *, uint32_t point, uint32_t width,
                                 uint32_t mask, const float *const P[3], const float *const R[3],
@@ -145,6 +146,7 @@ TEST_CASE("rays tell what they meet first") {
     CHECK((P[0][0] == 1 && P[1][0] == 2 && P[2][0] == 3));
     CHECK((R[0][0] == 4 && R[1][0] == 5 && R[2][0] == 6));
     shades = hits->shades;
+    asked = std::string(hits->kind) + ' ' + hits->subset + ' ' + hits->sides;
     if (reach[0] < 10)
       return;
     hits->distance[0] = float(point);
@@ -158,21 +160,59 @@ TEST_CASE("rays tell what they meet first") {
     Real far(100), near(1), distance;
     anysl_normal N, Ng;
     anysl_color color, opacity;
-    CHECK(use<anysl_trace_shade>()(context, &P, &R, &far, &distance, &N, &Ng, &color, &opacity));
-    CHECK(shades == 1);
+    anysl_string kind = "diffuse", subset = "-a", sides = "front";
+    auto shade = [&](const Real &reach) {
+      return use<anysl_trace_shade>()(context, &P, &R, &reach, &kind, &subset, &sides, &distance,
+                                      &N, &Ng, &color, &opacity);
+    };
+    CHECK(shade(far));
+    CHECK(shades == ANYSL_SHADE_FIRST);
+    CHECK(asked == "diffuse -a front");
     CHECK(distance == 7);
     checkVector(N, 0, 1, 2);
     checkVector(Ng, 10, 11, 12);
     checkColor(color, 20, 21, 22);
     checkColor(opacity, 30, 31, 32);
-    CHECK_FALSE(use<anysl_trace_hit>()(context, &P, &R, &near, &distance, &N, &Ng));
-    CHECK(shades == 0);
-    CHECK(distance == Real(1e30));
-    batch.services = {};
     CHECK_FALSE(
-        use<anysl_trace_shade>()(context, &P, &R, &far, &distance, &N, &Ng, &color, &opacity));
+        use<anysl_trace_hit>()(context, &P, &R, &near, &kind, &subset, &sides, &distance, &N, &Ng));
+    CHECK(shades == ANYSL_SHADE_NOTHING);
+    CHECK(distance == Real(1e30));
+    use<anysl_trace_light>()(&color, context, &P, &R, &far, &kind, &subset, &sides, &opacity);
+    CHECK(shades == ANYSL_SHADE_ALL);
+    checkColor(color, 20, 21, 22);
+    use<anysl_transmission_among>()(&color, context, &P, &R, &far, &subset, &sides);
+    CHECK(asked == "transmission -a front");
+    checkColor(color, -29, -30, -31);
+    batch.services = {};
+    CHECK_FALSE(shade(far));
     checkColor(color, 0, 0, 0);
+    use<anysl_transmission_among>()(&color, context, &P, &R, &far, &subset, &sides);
+    checkColor(color, 1, 1, 1);
   });
+}
+
+TEST_CASE("rays of points that ask for different things are different calls") {
+  static std::vector<std::pair<uint32_t, std::string>> calls;
+  Batch batch;
+  batch.services.trace_hit = [](void *, const AnyslShadeArgs *, uint32_t, uint32_t, uint32_t mask,
+                                const float *const *, const float *const *, const float *,
+                                const AnyslHits *hits) {
+    calls.push_back({mask, std::string(hits->kind) + hits->subset + hits->sides});
+    for (uint32_t i = 0; i < 4; ++i)
+      if (mask >> i & 1)
+        hits->distance[i] = float(10 * calls.size() + i);
+  };
+  std::string again = "a"; // equal text elsewhere
+  const char *kinds[4] = {"", "", "", nullptr}, *sides[4] = {"", "", "", nullptr};
+  const char *subsets[4] = {"a", "b", again.c_str(), nullptr};
+  float in[4] = {}, out[13][4];
+  anysl::askForHits(&batch.args, 8, ANYSL_SHADE_NOTHING, kinds, subsets, sides, in, in, in, in, in,
+                    in, in, out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8],
+                    out[9], out[10], out[11], out[12], nullptr, 4, 0b0111);
+  CHECK(calls.size() == 2);
+  CHECK((calls[0].first == 0b0101 && calls[0].second == "a"));
+  CHECK((calls[1].first == 0b0010 && calls[1].second == "b"));
+  CHECK((out[0][0] == 10 && out[0][1] == 21 && out[0][2] == 12 && out[0][3] == -1));
 }
 
 TEST_CASE("a ray also brings what is asked about the surface that it meets") {
@@ -195,15 +235,16 @@ TEST_CASE("a ray also brings what is asked about the surface that it meets") {
   batch.shade(7, [&](anysl_context *context) {
     anysl_vector P(1, 2, 3), R(4, 5, 6);
     Real far(100), near(0.5), distance, numbers[2] = {1, 2};
-    anysl_string what = "surface:x:f2,attribute:name:s", texts[1] = {"old"};
+    anysl_string what = "surface:x:f2,attribute:name:s", texts[1] = {"old"}, none = "";
     anysl_normal N, Ng;
     anysl_color color, opacity;
-    CHECK_FALSE(use<anysl_trace_values>()(context, &P, &R, &near, &what, numbers, 2u, texts, 1u,
-                                          &distance, &N, &Ng, &color, &opacity));
+    CHECK_FALSE(use<anysl_trace_values>()(context, &P, &R, &near, &none, &none, &none, &what,
+                                          numbers, 2u, texts, 1u, &distance, &N, &Ng, &color,
+                                          &opacity));
     CHECK((numbers[1] == 2 && distance == Real(1e30)));
     CHECK(std::string(texts[0]) == "old");
-    CHECK(use<anysl_trace_values>()(context, &P, &R, &far, &what, numbers, 2u, texts, 1u, &distance,
-                                    &N, &Ng, &color, &opacity));
+    CHECK(use<anysl_trace_values>()(context, &P, &R, &far, &none, &none, &none, &what, numbers, 2u,
+                                    texts, 1u, &distance, &N, &Ng, &color, &opacity));
     CHECK((numbers[0] == 1 && numbers[1] == 12 && distance == 5));
     CHECK(std::string(texts[0]) == "box");
     checkVector(N, 0, 1, 0);

@@ -19,8 +19,9 @@ surface named(string file = "a.tif"; float width = 1) {
          "sampls", 3) // expected-warning {{'gather' has no argument "sampls"; it is ignored}}
     Ci += missing;
   gather("illuminance", P, N, 1, 4, "surface:Kd", missing, "amount", v, "primitive:st", list, "attribute:user:name", whole,
-         "bias", 0.1, "hitsides", "front", // expected-warning {{argument "hitsides" of 'gather' changes nothing: both sides are traced}}
-         "subset", "a") // expected-warning {{argument "subset" of 'gather' changes nothing: all surfaces are traced}}
+         "bias", 0.1, "hitsides", "front", "raytype", "diffuse", "excludesubset", "a", // expected-warning {{argument "excludesubset" of 'gather' changes nothing: give its sets to "subset", behind a -}}
+         "hitmode", "primitive", // expected-warning {{argument "hitmode" of 'gather' changes nothing: surfaces are as opaque as their shaders say}}
+         "subset", "a")
     Ci += missing;
   gather("illuminance", P, N, 1, 4, "distributio", missing) Ci += 1; // expected-warning {{'gather' has no argument "distributio"; it is ignored; did you mean 'distribution'?}}
   gather("illuminance", P, N, 1, 4, "surface:list", grown) Ci += 1; // expected-error {{cannot hold "surface:list"}}
