@@ -97,17 +97,25 @@ private:
   std::span<const Binding> bound;
   Space object;
   AnyslLayout layout;
-  ShapeSurface &surface;               ///< gets the outputs
-  const SurfaceSet &seen;              ///< tells what is there
-  std::vector<Shader::Output> outputs; ///< channel: number in surface.values.list
+  ShapeSurface &surface;                   ///< gets the outputs
+  const SurfaceSet &seen;                  ///< tells what is there
+  std::vector<Shader::Output> outputs;     ///< channel: number in surface.values.list
+  std::vector<Shader::Output> textOutputs; ///< channel: number in surface.values.texts
 };
 
 /// What other shaders may ask for is kept at every point.
 void Displacer::prepareOutputs(Domain domain) {
   for (uint32_t i = 0; i < shader.info->param_count; ++i) {
     const AnyslParamInfo &param = shader.info->params[i];
-    if (!(param.flags & ANYSL_PARAM_OUTPUT) || param.type == ANYSL_STRING)
+    if (!(param.flags & ANYSL_PARAM_OUTPUT))
       continue;
+    if (param.type == ANYSL_STRING) {
+      textOutputs.push_back({i, uint32_t(surface.values.texts.size())});
+      surface.values.texts.push_back(
+          {std::string(displacementPrefix) + param.name, param.array_length > 0,
+           std::vector<const char *>(std::max(param.array_length, 1u), "")});
+      continue;
+    }
     Variable variable;
     variable.name = std::string(displacementPrefix) + param.name;
     variable.type = param.type == ANYSL_FLOAT    ? ValueType::Float
@@ -143,7 +151,8 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count,
   };
   storeGlobals(wanted, SurfacePoint(), Ray(), 0, allocate);
   storeUniformGlobals(wanted, scene, allocate);
-  ParameterArrays<Real> parameters(arena, shader, bound, false, !outputs.empty(), layout, size);
+  ParameterArrays<Real> parameters(arena, shader, bound, false,
+                                   !outputs.empty() || !textOutputs.empty(), layout, size);
 
   for (uint32_t i = 0; i < count; ++i) {
     const auto [hit, origin] = start(first + i);
@@ -177,6 +186,11 @@ void Displacer::shade(Arena &arena, uint32_t first, uint32_t count,
         variable.values[(first + i) * variable.components + k] =
             float(parameters.output(output, k, i));
   }
+  // Text is uniform.
+  for (const Shader::Output &output : textOutputs)
+    for (uint32_t k = 0; first == 0 && k < surface.values.texts[output.channel].elements.size();
+         ++k)
+      surface.values.texts[output.channel].elements[k] = parameters.text(output.param, k, 0);
   for (uint32_t i = 0; i < count; ++i)
     for (int k = 0; k < 3; ++k) {
       places[first + i][k] = at(ANYSL_COMPONENT_P + k, i);

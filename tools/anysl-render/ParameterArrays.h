@@ -89,6 +89,11 @@ public:
               k, i);
   }
 
+  /// Element k of an output that is text, at point i.
+  const char *text(uint32_t parameter, uint32_t k, size_t i) const {
+    return static_cast<const char **>(arrays[parameter])[k * stride + i];
+  }
+
   void fill(AnyslShadeArgs &args) const {
     if (!arrays)
       return;

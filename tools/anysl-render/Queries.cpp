@@ -88,14 +88,29 @@ int answerVariable(const Scene &scene, const Hit &hit, const Ray *ray, std::stri
   return anysl_answer(&query, type, length, cells.data(), value);
 }
 
+int answerText(const Scene &scene, const Hit &hit, std::string_view name, const AnyslQuery &query,
+               AnyslCell *value) {
+  const auto &texts = scene.geometry().variablesOf(hit).texts;
+  auto found = std::find_if(texts.begin(), texts.end(),
+                            [&](const TextVariable &variable) { return variable.name == name; });
+  if (found == texts.end())
+    return 0;
+  std::vector<AnyslCell> cells(found->elements.size());
+  for (size_t i = 0; i < cells.size(); ++i)
+    cells[i].string = found->elements[i];
+  return anysl_answer(&query, ANYSL_STRING, found->isArray ? uint32_t(cells.size()) : 0,
+                      cells.data(), value);
+}
+
 /// A displacement shader runs where a surface is diced: its outputs are interpolated from there.
 int answerDisplacement(const Scene &scene, const Hit &hit, const AnyslQuery &query,
                        AnyslCell *value) {
   const Shader *shader = scene.displacementOf(scene.geometry().shapeOf(hit));
   if (!shader)
     return 0;
-  return answerVariable(scene, hit, nullptr, std::string(displacementPrefix) + query.name, query,
-                        value) ||
+  std::string name = std::string(displacementPrefix) + query.name;
+  return answerVariable(scene, hit, nullptr, name, query, value) ||
+         answerText(scene, hit, name, query, value) ||
          anysl_instance_answer(shader->instance.get(), nullptr, 0, &query, value);
 }
 

@@ -66,11 +66,19 @@ struct SurfaceOwner {
 };
 
 /// The variables of a shape, and where among them those are that a renderer looks for.
+/// Text that a shader has put out, the same all over a surface.
+struct TextVariable {
+  std::string name;
+  bool isArray;
+  std::vector<const char *> elements;
+};
+
 struct SurfaceVariables {
   SurfaceVariables() = default;
   explicit SurfaceVariables(std::vector<Variable> all);
 
   std::vector<Variable> list;
+  std::vector<TextVariable> texts;
   int color = -1, opacity = -1, s = -1, t = -1, st = -1;
 };
 
