@@ -187,7 +187,8 @@ void Preprocessor::includeDirective(SMLoc loc) {
     SmallString<128> path(folder);
     sys::path::append(path, wanted);
     if (!sys::fs::exists(path) || sys::fs::is_directory(path)) {
-      searched.push_back(folder.empty() ? "." : folder.str());
+      if (std::string name = folder.empty() ? "." : folder.str(); !is_contained(searched, name))
+        searched.push_back(name);
       return false;
     }
     enterFile(path, loc);
@@ -208,8 +209,15 @@ void Preprocessor::includeDirective(SMLoc loc) {
         return;
   }
   incomplete = true;
-  std::string places =
-      searched.empty() ? "no -I folder is given" : "searched in " + join(searched, ", ");
+  std::string places = "no -I folder is given";
+  if (!searched.empty()) {
+    constexpr size_t named = 5;
+    size_t more = searched.size() > named ? searched.size() - named : 0;
+    searched.resize(searched.size() - more);
+    places = "searched in " + join(searched, ", ");
+    if (more)
+      places += " and in " + utostr(more) + " more folders";
+  }
   diags.error(name.loc, "cannot find '" + wanted + "' (" + places + ")").range(name.range());
 }
 

@@ -5,8 +5,8 @@
 //
 //===------------------------------------------------------------------------------------------===//
 //
-// Fixed seeds, so that a run can be repeated. ANYSL_FUZZ_COUNT=N tests N functions instead of a few
-// hundred, ANYSL_FUZZ_FIRST=S starts at another seed, ANYSL_FUZZ_WRITE=DIR writes each failing
+// Fixed seeds, so that a run can be repeated. ANYSL_FUZZ_COUNT=N tests N functions instead of a
+// thousand, ANYSL_FUZZ_FIRST=S starts at another seed, ANYSL_FUZZ_WRITE=DIR writes each failing
 // function to a file, which ANYSL_FUZZ_FILE=FILE with the hidden test "[file]" runs again (for
 // llvm-reduce; ANYSL_FUZZ_WIDTH, ANYSL_FUZZ_OPTIMIZE and ANYSL_FUZZ_FLAGS say how), ANYSL_DUMP=1
 // prints what is compiled.
@@ -97,11 +97,11 @@ TEST_CASE("the function fuzz of a file gives the same bits in every lane", "[.fi
 }
 
 TEST_CASE("random functions give the same bits in every lane, first part", "[fuzz]") {
-  fuzz(1, 100);
+  fuzz(1, 1000);
 }
 TEST_CASE("random functions give the same bits in every lane, second part", "[fuzz]") {
-  fuzz(1000, 100);
+  fuzz(10000, 1000);
 }
 TEST_CASE("random functions give the same bits in every lane, third part", "[fuzz]") {
-  fuzz(2000, 100);
+  fuzz(20000, 1000);
 }
