@@ -26,12 +26,28 @@ function(anysl_use_llvm target)
   target_link_libraries(${target} PUBLIC anysl_llvm)
 endfunction()
 
-# anysl_add_library(Name SOURCES... LINK libraries...): a static library of the tree that uses LLVM.
+# Reading LLVM's headers takes longer than the rest of most files. Each file includes what it needs all the same:
+# it has to compile with CMAKE_DISABLE_PRECOMPILE_HEADERS as well.
+set(ANYSL_PRECOMPILED_HEADERS
+    <llvm/ADT/DenseMap.h> <llvm/ADT/MapVector.h> <llvm/ADT/STLExtras.h> <llvm/ADT/SetVector.h> <llvm/ADT/StringExtras.h>
+    <llvm/ADT/StringMap.h> <llvm/ADT/StringSwitch.h> <llvm/IR/IRBuilder.h> <llvm/IR/InstIterator.h> <llvm/IR/IntrinsicInst.h>
+    <llvm/IR/Module.h> <llvm/IR/PassManager.h> <llvm/Support/FormatVariadic.h> <llvm/Support/JSON.h>
+    <llvm/Support/Path.h> <llvm/Support/SourceMgr.h> <llvm/Support/raw_ostream.h>
+    <algorithm> <functional> <map> <memory> <optional> <set> <string> <vector>)
+
+# anysl_add_library(Name SOURCES... LINK libraries... [EXCEPTIONS]): a static library of the tree that uses LLVM.
 function(anysl_add_library name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "EXCEPTIONS" "" "LINK" ${ARGN})
   add_library(${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
   anysl_use_llvm(${name})
   target_link_libraries(${name} PUBLIC ${ARG_LINK})
+  if(ARG_EXCEPTIONS)  # and headers of its own, then
+    target_compile_options(${name} PRIVATE -fexceptions)
+  elseif(name STREQUAL AnyslSupport)
+    target_precompile_headers(${name} PRIVATE ${ANYSL_PRECOMPILED_HEADERS})
+  else()
+    target_precompile_headers(${name} REUSE_FROM AnyslSupport)
+  endif()
 endfunction()
 
 # anysl_add_tool(name SOURCES... LINK libraries...): a program in bin/ that uses LLVM.
