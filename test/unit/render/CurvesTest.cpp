@@ -48,7 +48,7 @@ int falseHits(const TestScene &scene, double spread, int &starts) {
     AskedRays asked;
     makeTraceRays(rays, 0, 1, P, R, asked);
     ++starts;
-    hits += scene.shoot(asked.ray(0, 0), TraceRays).isHit();
+    hits += scene.shoot(asked.ray(0, 0), SpecularRays).isHit();
   }
   return hits;
 }

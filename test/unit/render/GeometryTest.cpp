@@ -164,11 +164,25 @@ TEST_CASE("visibility hides surfaces from kinds of rays", "[geometry]") {
   Ray ray;
   ray.direction = {0, 0, 1};
   CHECK(scene.shoot(ray, CameraRays).t == 7);
-  CHECK(scene.shoot(ray, TraceRays).t == 3);
+  CHECK(scene.shoot(ray, SpecularRays).t == 3);
+  CHECK(scene.shoot(ray, DiffuseRays).t == 3);
   CHECK(scene.shoot(ray, OpaqueShadowRays).t == 3);
   CHECK(scene.shoot(ray, PartialShadowRays).t == 11);
   CHECK(scene.geometry->opacityAt(scene.shoot(ray, PartialShadowRays), ray.origin, ray.direction) ==
         Vec3d(0.5));
+}
+
+TEST_CASE("specular and diffuse rays see surfaces of their own", "[geometry]") {
+  TestScene scene(
+      "WorldBegin Translate 0 0 4 AttributeBegin Attribute \"visibility\" \"diffuse\" [0] "
+      "Sphere 1 -1 1 360 AttributeEnd AttributeBegin Attribute \"visibility\" \"specular\" [0] "
+      "Translate 0 0 -3 Sphere 0.5 -0.5 0.5 360 AttributeEnd Translate 0 0 4 Sphere 1 -1 1 360 "
+      "WorldEnd");
+  Ray ray;
+  ray.direction = {0, 0, 1};
+  CHECK(scene.shoot(ray, CameraRays).t == 0.5);
+  CHECK(scene.shoot(ray, SpecularRays).t == 3);
+  CHECK(scene.shoot(ray, DiffuseRays).t == 0.5);
 }
 
 TEST_CASE("a polygon's normal, texture coordinates and colours", "[geometry]") {
