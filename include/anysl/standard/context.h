@@ -64,15 +64,6 @@ inline constexpr uint32_t globalComponent[] = {
 anysl_number stepOfU(const anysl_context *context);
 anysl_number stepOfV(const anysl_context *context);
 
-/// Texts of points that do not ask may be null.
-inline bool sameText(const char *a, const char *b) {
-  if (a == b || !a || !b)
-    return a == b;
-  for (; *a && *a == *b; ++a, ++b)
-    ;
-  return *a == *b;
-}
-
 } // namespace anysl
 
 #endif // ANYSL_STANDARD_CONTEXT_H

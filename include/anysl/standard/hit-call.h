@@ -13,6 +13,7 @@
 #ifndef ANYSL_STANDARD_HIT_CALL_H
 #define ANYSL_STANDARD_HIT_CALL_H
 
+#include <anysl/standard/alike.h>
 #include <anysl/standard/ray-change.h>
 
 #define ANYSL_HIT_BARE_PARAMETERS                                                                  \
@@ -66,12 +67,8 @@ inline void askForHits(ANYSL_HIT_BARE_PARAMETERS, const AnyslRayDerivatives *cha
   if (!args->services->trace_hit)
     return;
   while (mask) {
-    uint32_t lead = uint32_t(__builtin_ctz(mask)), group = 0;
-    for (uint32_t i = lead; i < width; ++i)
-      if (mask >> i & 1)
-        group |= uint32_t(sameText(kind[i], kind[lead]) && sameText(subset[i], subset[lead]) &&
-                          sameText(sides[i], sides[lead]))
-                 << i;
+    uint32_t lead = uint32_t(__builtin_ctz(mask));
+    uint32_t group = likeFirst(mask, width, kind, subset, sides);
     mask &= ~group;
     auto text = [](const char *t) { return t ? t : ""; };
     hits.kind = text(kind[lead]);

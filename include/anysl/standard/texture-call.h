@@ -17,6 +17,7 @@
 #ifndef ANYSL_STANDARD_TEXTURE_CALL_H
 #define ANYSL_STANDARD_TEXTURE_CALL_H
 
+#include <anysl/standard/alike.h>
 #include <anysl/standard/context.h>
 
 // How r changes with x, y and z, then g and b.
@@ -87,18 +88,9 @@ inline void askForTextures(ANYSL_TEXTURE_PARAMETERS, uint32_t width, uint32_t ma
   for (uint32_t k = 0; asksForSlopes && k < 3; ++k)
     points.result_by[k] = resultBy[k];
   while (mask) {
-    uint32_t lead = uint32_t(__builtin_ctz(mask)), group = 0;
-    for (uint32_t i = lead; i < width; ++i) {
-      // Of points that do not ask the texts are none.
-      if (!(mask >> i & 1))
-        continue;
-      bool same = channel[i] == channel[lead] && fill[i] == fill[lead] && bias[i] == bias[lead] &&
-                  samples[i] == samples[lead] && sameText(name[i], name[lead]) &&
-                  sameText(filter[i], filter[lead]) && sameText(swrap[i], swrap[lead]) &&
-                  sameText(twrap[i], twrap[lead]);
-      // The lead goes with itself even where NaN is not equal to itself.
-      group |= uint32_t(same || i == lead) << i;
-    }
+    uint32_t lead = uint32_t(__builtin_ctz(mask));
+    uint32_t group =
+        likeFirst(mask, width, channel, fill, bias, samples, name, filter, swrap, twrap);
     mask &= ~group;
     auto text = [](const char *t) { return t ? t : ""; };
     auto count = [](float n) { return n > 0 && n < 1e6f ? uint32_t(n) : 0u; };
@@ -116,15 +108,17 @@ inline void askForTextures(ANYSL_TEXTURE_PARAMETERS, uint32_t width, uint32_t ma
     if (asksForSlopes)
       __builtin_memset(resultBy, 0, sizeof resultBy);
     service(args->renderer, args, point, width, group, &request, &points, result);
-    for (uint32_t i = lead; i < width; ++i)
-      if (group >> i & 1) {
-        r[i] = result[i];
-        g[i] = request.channels > 1 ? result[width + i] : 0;
-        b[i] = request.channels > 1 ? result[2 * width + i] : 0;
-        for (uint32_t c = 0; asksForSlopes && c < request.channels; ++c)
+    for (uint32_t i = 0; i < width; ++i) {
+      bool has = group >> i & 1, hasColor = has && request.channels > 1;
+      r[i] = has ? result[i] : r[i];
+      g[i] = hasColor ? result[width + i] : g[i];
+      b[i] = hasColor ? result[2 * width + i] : b[i];
+    }
+    for (uint32_t i = lead; asksForSlopes && i < width; ++i)
+      if (group >> i & 1)
+        for (uint32_t c = 0; c < request.channels; ++c)
           for (uint32_t k = 0; k < 3; ++k)
             slopes[c][k][i] = resultBy[k][c * width + i];
-      }
   }
 }
 
