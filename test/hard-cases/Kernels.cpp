@@ -182,7 +182,7 @@ double falseHits(double size, bool facets, bool isRobust) {
       next.near = 1e-4f;
     }
     ++tried;
-    met += scene.shoot(next, TraceRays).isHit();
+    met += scene.shoot(next, SpecularRays).isHit();
   }
   return double(met) / tried;
 }
