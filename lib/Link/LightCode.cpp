@@ -34,7 +34,6 @@ using namespace llvm;
 namespace anysl::link {
 
 using stc::Op;
-using stc::ParamKind;
 
 namespace {
 

@@ -116,7 +116,7 @@ private:
           const auto *value = fixedValue(call, op);
           return value ? SlotConstants::Known{std::nullopt,
                                               SlotValue{{value->begin(), value->end()}, "", {}},
-                                              causeOf(call, op)}
+                                              causeOf(call, op, *value)}
                        : scene(call, op);
         });
     std::map<BasicBlock *, std::string> whyNot;
@@ -294,10 +294,10 @@ private:
   }
 
   /// "Os = (1, 1, 1)".
-  std::string causeOf(const CallInst &call, const stc::OpInfo &op) const {
+  std::string causeOf(const CallInst &call, const stc::OpInfo &op,
+                      const std::array<double, 3> &value) const {
     std::string result = stc::globalNumbered(unsigned(idOf(call, op)))->name.str();
     raw_string_ostream stream(result);
-    const std::array<double, 3> &value = *fixedValue(call, op);
     stream << format(" = (%g, %g, %g)", value[0], value[1], value[2]) << " everywhere";
     return result;
   }
@@ -307,15 +307,17 @@ private:
     OperatorWriter writer(*body.getParent());
     for (Instruction &instruction : make_early_inc_range(instructions(body))) {
       const stc::OpInfo *op = opOf(instruction);
-      if (!op || !fixedValue(cast<CallInst>(instruction), *op))
+      if (!op)
         continue;
       auto &call = cast<CallInst>(instruction);
-      const std::array<double, 3> &value = *fixedValue(call, *op);
-      std::string cause = causeOf(call, *op);
+      const auto *value = fixedValue(call, *op);
+      if (!value)
+        continue;
+      std::string cause = causeOf(call, *op, *value);
       note(call, false, cause);
-      session.fixedGlobals[unsigned(idOf(call, *op))] = value;
+      session.fixedGlobals[unsigned(idOf(call, *op))] = *value;
       writer.before(call, cause);
-      writer.construct(call.getArgOperand(0), stc::Type::colorTy, value);
+      writer.construct(call.getArgOperand(0), stc::Type::colorTy, *value);
       call.eraseFromParent();
     }
   }

@@ -34,8 +34,6 @@ struct LightValues {
   const char *category = nullptr;
 };
 
-/// The bit of AnyslShaderInfo::effects that says that a shader asks for shadow rays.
-
 } // namespace
 
 bool anysl::render::isStandardLight(const std::string &name, const ShaderCache &cache) {

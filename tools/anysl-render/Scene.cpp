@@ -18,8 +18,6 @@
 namespace stc = anysl::stc;
 using namespace anysl::render;
 
-namespace {} // namespace
-
 Scene::Scene(const SceneDescription &given, const ShaderCache &cache, const AnyslServices &services,
              AnyslLayout layout, unsigned width, Warnings &warnings)
     : description(given), camera(given.camera), spaces(given, camera), background(given),

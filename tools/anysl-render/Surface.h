@@ -65,7 +65,6 @@ struct SurfaceOwner {
   const Appearance *appearance = nullptr;
 };
 
-/// The variables of a shape, and where among them those are that a renderer looks for.
 /// Text that a shader has put out, the same all over a surface.
 struct TextVariable {
   std::string name;
@@ -73,6 +72,7 @@ struct TextVariable {
   std::vector<const char *> elements;
 };
 
+/// The variables of a shape, and where among them those are that a renderer looks for.
 struct SurfaceVariables {
   SurfaceVariables() = default;
   explicit SurfaceVariables(std::vector<Variable> all);
