@@ -554,6 +554,7 @@ public:
     StructDecl *structure = nullptr;
   };
   std::vector<Item> items;
+  size_t firstOwnItem = 0; ///< those before it are built-ins
   bool hasClasses() const {
     return llvm::any_of(items,
                         [](const Item &item) { return item.structure && item.structure->isClass; });

@@ -9,6 +9,7 @@
 
 #include "frontends/rsl/Lower.h"
 #include "frontends/rsl/Parser.h"
+#include "frontends/rsl/Prelude.h"
 #include "frontends/rsl/Sema.h"
 #include "lib/STC/Verifier.h"
 #include "lib/Support/Tool.h"
@@ -28,6 +29,10 @@ FrontendResult compile(StringRef path, const FrontendOptions &options, Diagnosti
     return result;
 
   Ast ast;
+  Preprocessor builtIn(diags, {});
+  if (StringRef prelude = preludeFor(tokens); !prelude.empty())
+    Parser(builtIn.run("<built-in>", prelude), ast, diags).parseFile();
+  ast.firstOwnItem = ast.items.size();
   Parser(std::move(tokens), ast, diags).parseFile();
   Sema(ast, diags, {options.isLibrary, options.arrayCapacity}).check();
   // From here on the tree is correct: lowering has nothing to complain about but a library's

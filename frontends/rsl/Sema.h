@@ -184,6 +184,7 @@ private:
   Type probeInner(Expr *expr);
   std::vector<Candidate> candidates(const CallExpr &call);
   StructDecl *lookupStruct(StringRef name);
+  static int argumentCost(const Candidate &candidate, size_t i, Type arg);
   int cost(const Candidate &candidate, const CallExpr &call, llvm::ArrayRef<Type> args,
            TypeKind hint);
   std::optional<Candidate> choose(CallExpr &call, llvm::ArrayRef<Type> args, TypeKind hint);

@@ -187,6 +187,26 @@ std::vector<Sema::Candidate> Sema::candidates(const CallExpr &call) {
   return found;
 }
 
+/// How badly an argument of a type fits a parameter; negative if not at all.
+int Sema::argumentCost(const Candidate &candidate, size_t i, Type arg) {
+  Type param = candidate.type(i);
+  int total = 0;
+  if (candidate.isIn(i)) {
+    int price = conversionCost(arg, param);
+    if (price < 0)
+      return -1;
+    total += price;
+  }
+  if (candidate.isOut(i)) {
+    // What comes back must be of the same kind: a color gets no float.
+    int price = param.isArray() ? conversionCost(arg, param) : conversionCost(param, arg);
+    if (price < 0 || price > 4)
+      return -1;
+    total += price;
+  }
+  return total;
+}
+
 /// How badly a call fits an overload; negative if not at all. Unknown argument types fit numbers.
 int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> args,
                TypeKind hint) {
@@ -209,19 +229,10 @@ int Sema::cost(const Candidate &candidate, const CallExpr &call, ArrayRef<Type> 
         return -1;
       continue;
     }
-    if (candidate.isIn(i)) {
-      int price = conversionCost(args[i], param);
-      if (price < 0)
-        return -1;
-      total += price;
-    }
-    if (candidate.isOut(i)) {
-      // What comes back must be of the same kind: a color gets no float.
-      int price = param.isArray() ? conversionCost(args[i], param) : conversionCost(param, args[i]);
-      if (price < 0 || price > 4)
-        return -1;
-      total += price;
-    }
+    int price = argumentCost(candidate, i, args[i]);
+    if (price < 0)
+      return -1;
+    total += price;
   }
   Type wanted = call.wanted.isError() ? Type{hint} : call.wanted;
   if (wanted.isError())
@@ -540,7 +551,7 @@ void Sema::reportNoMatch(const CallExpr &call, ArrayRef<Type> args,
               (candidate.size() == 1 ? "" : "s");
     } else {
       for (size_t i = 0; i < args.size(); ++i)
-        if (conversionCost(call.args[i]->type, candidate.type(i)) < 0) {
+        if (argumentCost(candidate, i, call.args[i]->type) < 0) {
           text += ", whose argument " + utostr(i + 1) + " is no " + toString(call.args[i]->type);
           break;
         }

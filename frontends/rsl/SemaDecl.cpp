@@ -20,11 +20,12 @@ Sema::Sema(Ast &ast, DiagnosticEngine &diags, Options options)
 void Sema::check() {
   scopes.emplace_back();
   declareGlobals();
-  scopes.emplace_back();
   ast.shaders.clear(); // they come back in order, those that classes are among them
-  for (const Ast::Item &item : ast.items) {
+  for (auto [i, item] : enumerate(ast.items)) {
     if (diags.reachedLimit())
       return;
+    if (i == ast.firstOwnItem)
+      scopes.emplace_back();
     if (item.function)
       checkFunction(*item.function);
     else if (item.structure && item.structure->isClass)
@@ -135,7 +136,8 @@ std::vector<StringRef> Sema::visibleNames() const {
   std::vector<StringRef> names;
   for (const Scope &scope : llvm::reverse(scopes))
     for (const auto &entry : scope.variables)
-      names.push_back(entry.first());
+      if (!entry.second->type.isError()) // one that was reported itself
+        names.push_back(entry.first());
   names.push_back("PI");
   // The order of a hash table must not decide what is suggested.
   llvm::sort(names);

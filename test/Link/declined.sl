@@ -30,5 +30,7 @@ surface declined(string file = "a.pm"; output varying float ok = 0) {
   // Files of light and occlusion are told from rays by the first argument.
   // WARNING: declined.sl:[[#@LINE+1]]:{{.*}} 'occlusion_file' {{.*}}: nothing is hidden
   Ci += occlusion("a.tex", P, N, 16) + indirectdiffuse("b.env", N) + color indirect("c.ptc", "_radiosity", P, N, I);
+  Ci += bake3d_diffuse("d.ptc", P, N, Cs, area(P)) + bake3d_nondiffuse("n.ptc", P, N, Cs, 1, "phong", 20);
+  Ci += bake3d_brdf("b.ptc", P, N, I, "diffuse_ptc", file) + rayserver_photon(P, I, N, vector(0, 0, 1));
   Oi = hair() + directlighting() + bake("c", s, t, Cs);
 }

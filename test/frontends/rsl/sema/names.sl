@@ -9,7 +9,8 @@ surface names(float roughness = 0.1) {        // expected-note 2 {{'roughness' i
   Ci = noramlize(N);                          // expected-error {{unknown function 'noramlize'; did you mean 'normalize'?}}
   Ci = later(1);                              // expected-error {{unknown function 'later'}}
   Ci = completely_unknown;                    // expected-error {{unknown variable 'completely_unknown'}}
-  float x = 2;                                // expected-error {{redefinition of 'x'}} expected-note@-6 {{previously declared here}}
+  Ci = completly_unknown;                     // expected-error {{unknown variable 'completly_unknown'}}
+  float x = 2;                                // expected-error {{redefinition of 'x'}} expected-note@-7 {{previously declared here}}
   { float x = 3; Ci = x; }
   Ci = Cl;                                    // expected-error {{'Cl' exists only inside of 'illuminance'}}
 }
@@ -17,7 +18,7 @@ surface names(float roughness = 0.1) {        // expected-note 2 {{'roughness' i
 float later(float x) { return x; }            // expected-note {{it is defined later; functions must stand before their use}}
 float later(float y) { return y; }            // expected-warning {{redefinition of function 'later'; this one counts from here on}} expected-note@-1 {{previously defined here}}
 color later(float y) { return y; }
-surface names() {}                            // expected-error {{redefinition of shader 'names'}} expected-note@-15 {{previously defined here}}
+surface names() {}                            // expected-error {{redefinition of shader 'names'}} expected-note@-16 {{previously defined here}}
 
 // CHECK: names.sl:6:13: error: unknown variable 'rouhgness'; did you mean 'roughness'?
 // CHECK-NEXT: {{^}}  float x = rouhgness;
@@ -26,4 +27,5 @@ surface names() {}                            // expected-error {{redefinition o
 // CHECK: names.sl:5:21: note: 'roughness' is declared here
 // CHECK-NEXT: {{^}}surface names(float roughness = 0.1)
 // CHECK-NEXT: {{^}}                    ^~~~~~~~~
-// CHECK: 8 errors and 1 warning generated.
+// CHECK: unknown variable 'completly_unknown'{{$}}
+// CHECK: 9 errors and 1 warning generated.
