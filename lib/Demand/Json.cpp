@@ -7,6 +7,7 @@
 
 #include "lib/Demand/Json.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -190,6 +191,18 @@ private:
 };
 
 } // namespace
+
+const Json &member(const Json &object, std::string_view key) {
+  static const Json none;
+  auto found = std::find_if(object.members.begin(), object.members.end(),
+                            [key](const Json::Member &each) { return each.key == key; });
+  return found == object.members.end() ? none : found->value;
+}
+
+bool hasText(const Json &array, std::string_view text) {
+  return std::any_of(array.items.begin(), array.items.end(),
+                     [text](const Json &item) { return item.text == text; });
+}
 
 const char *describe(Json::Kind kind) {
   static const char *const names[] = {"null", "true or false", "a number",

@@ -10,6 +10,7 @@
 
 #include "lib/Rib/Diagnostics.h"
 
+#include <string_view>
 #include <utility>
 
 namespace anysl::demand {
@@ -32,6 +33,11 @@ struct Json::Member {
   render::Location where; ///< of the key
   Json value;
 };
+
+/// The value of an object's member; null where there is no such member.
+const Json &member(const Json &object, std::string_view key);
+/// Whether an array has a text among its items.
+bool hasText(const Json &array, std::string_view text);
 
 /// "a number", "text" and so on.
 const char *describe(Json::Kind kind);

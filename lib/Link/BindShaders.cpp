@@ -146,8 +146,12 @@ bool bindShaders(Session &session) {
   internalizeModule(module, [&](const GlobalValue &value) { return kept.contains(&value); });
   ModuleAnalysisManager analyses;
   GlobalDCEPass().run(module, analyses);
+  session.report.carriesDerivatives = carriesDerivatives(module);
   return all_of(session.shaders, [&](Shader &shader) {
-    return refuseRecursion(session, *shader.point) && refuseRecursion(session, *shader.init);
+    if (!refuseRecursion(session, *shader.point) || !refuseRecursion(session, *shader.init))
+      return false;
+    shader.report.expandedInstructions = expandedInstructions(*shader.point);
+    return true;
   });
 }
 

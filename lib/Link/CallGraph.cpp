@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Link/Session.h"
+#include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/SetVector.h"
 #include "llvm/IR/InstIterator.h"
@@ -60,6 +61,23 @@ private:
 
 bool refuseRecursion(Session &session, Function &root) {
   return RecursionFinder(session).visit(root);
+}
+
+uint64_t expandedInstructions(const Function &root) {
+  DenseMap<const Function *, uint64_t> known;
+  auto count = [&known](auto &count, const Function &function) -> uint64_t {
+    if (auto found = known.find(&function); found != known.end())
+      return found->second;
+    uint64_t result = 0;
+    for (const Instruction &instruction : instructions(function)) {
+      ++result;
+      auto *call = dyn_cast<CallBase>(&instruction);
+      if (const Function *callee = call ? call->getCalledFunction() : nullptr)
+        result += count(count, *callee);
+    }
+    return known[&function] = result;
+  };
+  return count(count, root);
 }
 
 SmallSetVector<Function *, 8> reachableFrom(ArrayRef<Function *> roots) {

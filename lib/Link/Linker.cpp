@@ -107,19 +107,21 @@ bool runStages(Session &session, ArrayRef<std::string> files) {
       run(session, "lights", unrollLights) &&
       // Before inlining: the runtime's shade_point is copied once a shader.
       run(session, "bind", bindShaders) &&
-      // After linking, because only the runtime knows the types.
-      run(session, "lower", lowerStorage) &&
-      // Beyond this point nothing of the threaded code is left. Scalar code is simplified as far as
-      // it goes before widening, because each instruction that survives is widened for every width.
-      run(session, "optimize", optimize) &&
-      // Needs simplified scalar code; makes one function a width, with a mask and without.
-      run(session, "widen", widen) &&
-      // Loops over points come last, so that what is uniform can be hoisted out of them.
-      run(session, "entry", makeEntries) &&
-      // Knows what became of the parameters, and makes everything but itself internal.
-      run(session, "describe", describe) &&
-      // With everything internal and inlined, dead and duplicate code goes.
-      run(session, "finish", finish);
+      (session.options.reportOnly ||
+       // After linking, because only the runtime knows the types.
+       (run(session, "lower", lowerStorage) &&
+        // Beyond this point nothing of the threaded code is left. Scalar code is simplified as far
+        // as it goes before widening, because each instruction that survives is widened for every
+        // width.
+        run(session, "optimize", optimize) &&
+        // Needs simplified scalar code; makes one function a width, with a mask and without.
+        run(session, "widen", widen) &&
+        // Loops over points come last, so that what is uniform can be hoisted out of them.
+        run(session, "entry", makeEntries) &&
+        // Knows what became of the parameters, and makes everything but itself internal.
+        run(session, "describe", describe) &&
+        // With everything internal and inlined, dead and duplicate code goes.
+        run(session, "finish", finish)));
 }
 
 } // namespace
@@ -132,6 +134,8 @@ std::optional<LinkResult> linkShaders(DiagnosticEngine &diags, LLVMContext &cont
     if (runStages(session, files)) {
       for (Shader &shader : session.shaders)
         session.report.shaders.push_back(std::move(shader.report));
+      if (options.reportOnly)
+        session.module.reset();
       return LinkResult{std::move(session.module), std::move(session.report)};
     }
     if (session.nextReal.empty())

@@ -68,6 +68,8 @@ struct LinkOptions {
   bool traceOps = false;
   /// An operator of Neutral.def that nobody defines is an error, not its neutral value.
   bool declineIsError = false;
+  /// Stop before code is optimised: the result is a report that knows no widths yet.
+  bool reportOnly = false;
   /// The name of a stage of Stages.def after which to print the code to `dump` and stop; empty:
   /// none.
   std::string dumpAfter;
@@ -75,7 +77,7 @@ struct LinkOptions {
 };
 
 struct LinkResult {
-  std::unique_ptr<llvm::Module> module;
+  std::unique_ptr<llvm::Module> module; ///< null where only a report was asked for
   Report report;
 };
 

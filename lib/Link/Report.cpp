@@ -73,6 +73,7 @@ json::Value toJson(const ShaderReport &shader) {
   return json::Object{{"name", shader.name},
                       {"kind", shader.kind},
                       {"stcInstructions", shader.stcInstructions},
+                      {"expandedInstructions", int64_t(shader.expandedInstructions)},
                       {"scalarInstructions", shader.scalarInstructions},
                       {"callsLeft", list(shader.callsLeft)},
                       {"ops", list(shader.ops)},
@@ -98,6 +99,7 @@ json::Value Report::toJson() const {
     stages.push_back(json::Object{{"stage", time.stage}, {"milliseconds", time.milliseconds}});
   return json::Object{{"runtime", runtime},
                       {"real", real},
+                      {"carriesDerivatives", carriesDerivatives},
                       {"math", math},
                       {"cpu", cpu},
                       {"output", output},

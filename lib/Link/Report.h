@@ -51,6 +51,8 @@ struct ShaderReport {
   std::string name;
   std::string kind;
   unsigned stcInstructions = 0;
+  /// Instructions of all that is called for a point, once a call, before any is optimised.
+  uint64_t expandedInstructions = 0;
   /// Instructions of the scalar function, optimised.
   unsigned scalarInstructions = 0;
   /// Calls in the scalar function that are no intrinsics: services and what the runtime keeps
@@ -67,6 +69,7 @@ struct ShaderReport {
 
 struct Report {
   std::string runtime, real, math, cpu;
+  bool carriesDerivatives = false;          ///< whether the real's numbers do
   std::vector<std::string> linkedLights;    ///< kinds of the lights that are linked in
   std::vector<std::string> linkedLightCode; ///< those of light shaders whose code is there, too
   unsigned lightLoops = 0;                  ///< loops over lights that were unrolled for them

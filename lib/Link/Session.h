@@ -197,6 +197,10 @@ bool splitArrays(llvm::Module &module);
 /// inlining would not end. Gives false if there is any.
 bool refuseRecursion(Session &session, llvm::Function &root);
 
+/// How many instructions a function would have with all inlined that it calls, which must not lead
+/// back to it.
+uint64_t expandedInstructions(const llvm::Function &root);
+
 /// The functions with a body that a function leads to by direct calls, itself included, in the
 /// order in which they are found.
 llvm::SmallSetVector<llvm::Function *, 8> reachableFrom(llvm::ArrayRef<llvm::Function *> roots);

@@ -5,6 +5,11 @@ RUN: anysl-link %t.stc.bc --width 1,8 -o %t.so --report %t.json
 RUN: python3 -m json.tool %t.json | FileCheck %s
 RUN: anysl-link %t.stc.bc --width 8 --runtime scalar -o %t.so --report %t.scalar.json
 RUN: FileCheck %s --check-prefix SCALAR < %t.scalar.json
+RUN: rm -rf %t.only && mkdir %t.only && cd %t.only && anysl-link %t.stc.bc --report-only --report only.json
+RUN: ls %t.only | FileCheck %s --check-prefix FILES --match-full-lines
+RUN: FileCheck %s --check-prefix ONLY < only.json
+RUN: not anysl-link %t.stc.bc --report-only 2>&1 | FileCheck %s --check-prefix NEEDS
+RUN: not anysl-link %t.stc.bc --report-only --report only.json -o %t.so 2>&1 | FileCheck %s --check-prefix NEEDS
 RUN: not anysl-link %t.stc.bc --width 1 -o %t.so --report %t.none/x.json 2>&1 | FileCheck %s --check-prefix ERROR
 
 CHECK: "math": "u10"
@@ -32,6 +37,17 @@ CHECK: "widths": [
 CHECK-NEXT: 1,
 CHECK-NEXT: 8
 CHECK: "stage": "optimize"
+
+Alone it is made without code, and knows what is known by then.
+FILES: only.json
+FILES-NOT: {{.}}
+ONLY: "carriesDerivatives": false
+ONLY: "output": ""
+ONLY: "effects": [
+ONLY: "Trace"
+ONLY: "expandedInstructions": {{[1-9]}}
+ONLY: "scalarInstructions": 0
+NEEDS: error: --report-only goes with --report, and without -o
 
 The scalar runtime has no wide form of trace, so each lane asks by itself; its points are structures, so
 inputs are gathered, where the shader names them.

@@ -119,6 +119,11 @@ cl::opt<std::string> choiceFile("write-choices",
                                 cl::value_desc("FILE"), cl::cat(category));
 cl::opt<std::string> reportFile("report", cl::desc("Write what was done to FILE as JSON"),
                                 cl::value_desc("FILE"), cl::cat(category));
+cl::opt<bool> reportOnly("report-only",
+                         cl::desc("Write --report's file and no code: what is known before code "
+                                  "is optimised"),
+                         cl::cat(category));
+cl::opt<bool> noWarnings("w", cl::desc("No warnings"), cl::cat(category));
 cl::opt<bool> timeStages("time-stages", cl::desc("Print how long each stage took"),
                          cl::cat(category));
 cl::opt<std::string> dumpAfter("dump-after",
@@ -245,6 +250,11 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
     return false;
   }
   options.declineIsError = decline == "error";
+  if (reportOnly && (reportFile.empty() || !output.empty())) {
+    diags.error("--report-only goes with --report, and without -o");
+    return false;
+  }
+  options.reportOnly = reportOnly;
   if (!dumpAfter.empty()) {
     if (!is_contained(link::stageNames(), StringRef(dumpAfter))) {
       diags.error("--dump-after=" + dumpAfter + ": there is no such stage" +
@@ -280,14 +290,14 @@ bool run(DiagnosticEngine &diags, const Tool &tool) {
   if (!result)
     return !diags.hasErrors();
 
-  {
+  if (!reportOnly) {
     link::StageTimer timer(result->report, "emit");
     if (!emitModule(diags, *result->module, *target, *kind, path))
       return false;
+    result->report.output = path;
+    if (path != "-")
+      (void)sys::fs::file_size(path, result->report.outputBytes);
   }
-  result->report.output = path;
-  if (path != "-")
-    (void)sys::fs::file_size(path, result->report.outputBytes);
   if (timeStages)
     result->report.printTimes(errs());
   if (effects)
@@ -301,5 +311,6 @@ int main(int argc, char **argv) {
   Tool tool(argc, argv, "anysl-link",
             "Links shaders (STC files) with a renderer's runtime into native code.\n", category);
   DiagnosticEngine diags("anysl-link");
+  diags.setNoWarnings(noWarnings);
   return run(diags, tool) ? success : userError;
 }

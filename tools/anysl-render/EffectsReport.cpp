@@ -62,30 +62,23 @@ struct Effect {
 };
 using Effects = std::map<std::string, Effect>;
 
-const demand::Json &member(const demand::Json &object, const char *key) {
-  static const demand::Json none;
-  auto found = std::find_if(object.members.begin(), object.members.end(),
-                            [&](const demand::Json::Member &each) { return each.key == key; });
-  return found == object.members.end() ? none : found->value;
-}
-
 Size sizeOf(const demand::Json &report) {
   Size result;
-  for (const demand::Json &shader : member(report, "shaders").items)
-    result += {member(shader, "scalarInstructions").number,
-               double(member(shader, "callsLeft").items.size())};
+  for (const demand::Json &shader : demand::member(report, "shaders").items)
+    result += {demand::member(shader, "scalarInstructions").number,
+               double(demand::member(shader, "callsLeft").items.size())};
   return result;
 }
 
 void addUses(const demand::Json &report, const std::string &request, Effects &effects) {
-  for (const demand::Json &shader : member(report, "shaders").items)
-    for (const demand::Json &use : member(shader, "effectUses").items) {
-      Effect &effect = effects[member(use, "effect").text];
-      std::string place = member(use, "op").text + " " +
-                          fs::path(member(use, "file").text).filename().string() + ":" +
-                          std::to_string(int(member(use, "line").number));
-      const std::string &why = member(use, "why").text;
-      if (!member(use, "kept").truth) {
+  for (const demand::Json &shader : demand::member(report, "shaders").items)
+    for (const demand::Json &use : demand::member(shader, "effectUses").items) {
+      Effect &effect = effects[demand::member(use, "effect").text];
+      std::string place = demand::member(use, "op").text + " " +
+                          fs::path(demand::member(use, "file").text).filename().string() + ":" +
+                          std::to_string(int(demand::member(use, "line").number));
+      const std::string &why = demand::member(use, "why").text;
+      if (!demand::member(use, "kept").truth) {
         effect.dropped.insert(place + ": " + why);
         continue;
       }
@@ -93,7 +86,7 @@ void addUses(const demand::Json &report, const std::string &request, Effects &ef
       effect.requests.insert(request);
       if (!why.empty())
         effect.because.insert(why);
-      for (const demand::Json &output : member(use, "outputs").items)
+      for (const demand::Json &output : demand::member(use, "outputs").items)
         effect.outputs.insert(output.text);
     }
 }
@@ -103,7 +96,7 @@ void addUses(const demand::Json &report, const std::string &request, Effects &ef
 void addLinkedLights(const demand::Json &report, const std::string &request,
                      const SceneDescription &scene, Effects &effects) {
   std::map<std::string, int> counts; // by name, not by what a demand calls the kind
-  for (const demand::Json &kind : member(report, "linkedLights").items)
+  for (const demand::Json &kind : demand::member(report, "linkedLights").items)
     for (const LightUse &light : scene.lights)
       if (kind.text == light.name || kind.text == kindOfShader(light.name)) {
         ++counts[light.name];
@@ -111,7 +104,7 @@ void addLinkedLights(const demand::Json &report, const std::string &request,
       }
   for (const auto &[name, count] : counts)
     effects["Lights." + name].because.insert(std::to_string(count) + " linked into " + request);
-  int loops = int(member(report, "lightLoops").number);
+  int loops = int(demand::member(report, "lightLoops").number);
   if (auto found = effects.find("Lights"); found != effects.end() && loops)
     found->second.because.insert(std::to_string(loops) + (loops == 1 ? " loop" : " loops") +
                                  " unrolled in " + request);

@@ -251,33 +251,31 @@ ShaderAsking ShaderCache::asking(const std::string &name, const Location &where)
   fs::path file = make(source, source.key.text() + ".json", [&](const fs::path &path) {
     run(source, {"anysl-info", "--json", threadedCode(source).string()}, path);
   });
-  ShaderAsking result;
-  result.asksLights = false;
   const demand::Json described = demand::parseJson(loadSourceFile(file.string()));
-  for (const demand::Json::Member &member : described.members) {
-    if (member.key == "traces_for_others")
-      result.tracesForOthers = member.value.truth;
-    if (member.key == "shaders")
-      for (const demand::Json &shader : member.value.items)
-        for (const demand::Json::Member &its : shader.members)
-          if (its.key == "effects")
-            for (const demand::Json &effect : its.value.items)
-              result.asksLights |= effect.text == "LightValues";
-    if (member.key != "asked" || member.value.kind != demand::Json::Array)
-      continue;
+  ShaderAsking result;
+  result.tracesForOthers = demand::member(described, "traces_for_others").truth;
+  auto hasEffect = [&](const char *name) {
+    const auto &shaders = demand::member(described, "shaders").items;
+    return std::any_of(shaders.begin(), shaders.end(), [&](const demand::Json &shader) {
+      return demand::hasText(demand::member(shader, "effects"), name);
+    });
+  };
+  result.asksLights = hasEffect("LightValues");
+  result.traces = hasEffect("Trace");
+  const demand::Json &asked = demand::member(described, "asked");
+  if (asked.kind == demand::Json::Array) {
     result.names.emplace();
-    for (const demand::Json &item : member.value.items)
-      result.names->push_back(item.text);
+    for (const demand::Json &name : asked.items)
+      result.names->push_back(name.text);
   }
   return result;
 }
 
 void ShaderCache::link(const Source &source, const ShaderVariant &variant, const fs::path &output,
                        std::vector<std::string> more) const {
-  fs::path threaded = threadedCode(source);
-  ++compiled;
-  std::vector<std::string> command = {"anysl-link", threaded.string(), "-o",     output.string(),
-                                      "--runtime",  target.runtime,    "--real", target.real,
+  std::vector<std::string> command = {"anysl-link", threadedCode(source).string(),
+                                      "--runtime",  target.runtime,
+                                      "--real",     target.real,
                                       "--mcpu",     "native"};
   if (!target.math.empty())
     command.insert(command.end(), {"--math", target.math});
@@ -303,43 +301,67 @@ void ShaderCache::link(const Source &source, const ShaderVariant &variant, const
   run(source, std::move(command));
 }
 
-fs::path ShaderCache::library(const std::string &name, const Location &where,
-                              const ShaderVariant &variant) const {
-  Source source = lookUp(name, where);
-  if (source.file.extension() == ".so")
-    return source.file;
+std::string ShaderCache::keyOf(const Source &source, const ShaderVariant &variant,
+                               const std::string &form) const {
   ContentHash key = source.key;
-  for (const std::string &word : {target.runtime, target.real, target.math, variant.manifest})
+  for (const std::string &word : {form, target.runtime, target.real, target.math, variant.manifest})
     key.add(word);
-  for (const Source &light : lightsOf(variant, where))
+  for (const Source &light : lightsOf(variant, source.where))
     key.add(light.key.text());
   for (const std::string &effect : target.withoutEffects)
     key.add(effect);
   for (unsigned number : {target.width, unsigned(target.checkNaN), target.maxLoop,
                           unsigned(variant.rayDerivatives), unsigned(variant.tangents)})
     key.addNumber(number);
-  return make(source, key.text() + ".so", [&](const fs::path &path) {
+  return key.text();
+}
+
+fs::path ShaderCache::library(const std::string &name, const Location &where,
+                              const ShaderVariant &variant) const {
+  Source source = lookUp(name, where);
+  if (source.file.extension() == ".so")
+    return source.file;
+  return make(source, keyOf(source, variant, "library") + ".so", [&](const fs::path &path) {
+    ++compiled;
     link(source, variant, path,
-         {"--width", target.width > 1 ? "1," + std::to_string(target.width) : "1"});
+         {"-o", path.string(), "--width",
+          target.width > 1 ? "1," + std::to_string(target.width) : "1"});
   });
+}
+
+LibraryOutline ShaderCache::outline(const std::string &name, const Location &where,
+                                    const ShaderVariant &variant) const {
+  Source source = lookUp(name, where);
+  const bool isLinked = source.file.extension() != ".so";
+  if (!isLinked)
+    source.key.add(readFile(source.file));
+  const std::string key = keyOf(source, isLinked ? variant : ShaderVariant(), "outline");
+  fs::path file = make(source, key + ".outline.json", [&](const fs::path &path) {
+    if (isLinked)
+      link(source, variant, path, {"-w", "--report-only", "--report", path.string()});
+    else
+      run(source, {"anysl-info", "--json", source.file.string()}, path);
+  });
+  const demand::Json described = demand::parseJson(loadSourceFile(file.string()));
+  LibraryOutline result;
+  result.wantsFootprints = demand::member(described, "carriesDerivatives").truth;
+  for (const demand::Json &shader : demand::member(described, "shaders").items) {
+    const demand::Json &read = demand::member(shader, isLinked ? "globalsRead" : "globals_read");
+    result.wantsFootprints |= demand::hasText(read, "du") || demand::hasText(read, "dv");
+    result.traces |= demand::hasText(demand::member(shader, "effects"), "Trace");
+    result.instructions += demand::member(shader, "expandedInstructions").number;
+  }
+  return result;
 }
 
 demand::Json ShaderCache::report(const std::string &name, const Location &where,
                                  const ShaderVariant &variant) const {
   Source source = lookUp(name, where);
-  ContentHash key = source.key;
-  for (const std::string &word :
-       {target.runtime, target.real, target.math, variant.manifest, variant.withPlaces})
-    key.add(word);
-  for (const Source &light : lightsOf(variant, where))
-    key.add(light.key.text());
-  for (const std::string &effect : target.withoutEffects)
-    key.add(effect);
-  key.addNumber(variant.rayDerivatives);
-  key.addNumber(variant.tangents);
-  fs::path file = make(source, key.text() + ".report.json", [&](const fs::path &path) {
+  std::string key = keyOf(source, variant, "report " + variant.withPlaces);
+  fs::path file = make(source, key + ".report.json", [&](const fs::path &path) {
     TemporaryFile library{path.string() + ".so"};
-    link(source, variant, library.path, {"--width", "1", "--report", path.string()});
+    link(source, variant, path,
+         {"-o", library.path.string(), "--width", "1", "--report", path.string()});
   });
   return demand::parseJson(loadSourceFile(file.string()));
 }

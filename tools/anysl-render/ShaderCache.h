@@ -49,6 +49,15 @@ struct ShaderAsking {
   bool tracesForOthers = true;
   /// Whether it may ask lights for parameters, send them values, or ask for their names.
   bool asksLights = true;
+  /// Whether it may see what rays meet.
+  bool traces = true;
+};
+
+/// What a library will be, as far as it is known before code is optimised.
+struct LibraryOutline {
+  bool wantsFootprints = false; ///< some shader asks how much of a surface a pixel sees
+  bool traces = false;          ///< some shader sees what rays meet
+  double instructions = 0;      ///< of all shaders for one point
 };
 
 /// Finds a shader's file by its name and makes a shader library of it. NAME.so is taken as it is;
@@ -68,6 +77,10 @@ public:
   /// none or it does not compile. Several threads may call this.
   std::filesystem::path library(const std::string &name, const Location &where,
                                 const ShaderVariant &variant = {}) const;
+
+  /// What the library will be. Throws as library() does.
+  LibraryOutline outline(const std::string &name, const Location &where,
+                         const ShaderVariant &variant) const;
 
   /// What anysl-link tells of it (--report). Throws as library() does.
   demand::Json report(const std::string &name, const Location &where,
@@ -94,8 +107,12 @@ private:
   /// The light shaders of a variant. One of a standard light's name goes by another there.
   std::vector<Source> lightsOf(const ShaderVariant &variant, const Location &where) const;
   std::filesystem::path threadedCode(const Source &source) const;
+  /// Runs the linker; `more`: what it is to write.
   void link(const Source &source, const ShaderVariant &variant, const std::filesystem::path &output,
             std::vector<std::string> more) const;
+  /// The key of what is linked of a source in a variant; `form`: what of it.
+  std::string keyOf(const Source &source, const ShaderVariant &variant,
+                    const std::string &form) const;
   std::filesystem::path make(const Source &source, const std::string &name,
                              const std::function<void(const std::filesystem::path &)> &write) const;
   void run(const Source &source, std::vector<std::string> command,

@@ -105,13 +105,6 @@ const AnyslShaderInfo *findShader(const AnyslLibrary *library, const ShaderUse &
 
 namespace {
 
-/// Whether some shader of a library asks how much of a surface a pixel sees.
-bool wantsFootprints(const AnyslLibraryInfo &library) {
-  return std::any_of(
-      library.shaders, library.shaders + library.shader_count,
-      [](const AnyslShaderInfo &shader) { return (shader.globals_read & footprintBits) != 0; });
-}
-
 /// All that a library's shaders do.
 uint32_t effectsOf(const AnyslLibraryInfo &library) {
   uint32_t effects = 0;
@@ -120,45 +113,23 @@ uint32_t effectsOf(const AnyslLibraryInfo &library) {
   return effects;
 }
 
-/// Whether pictures show outputs of a library's that no shader asks for: without them it has less.
-bool hasOutputsForPicturesOnly(const AnyslLibraryInfo &library, const demand::Demand &demand) {
-  auto lists = [](const auto &names, const char *name) {
-    return names && std::find(names->begin(), names->end(), name) != names->end();
-  };
-  for (uint32_t i = 0; i < library.shader_count; ++i)
-    for (uint32_t p = 0; p < library.shaders[i].param_count; ++p) {
-      const AnyslParamInfo &param = library.shaders[i].params[p];
-      if ((param.flags & ANYSL_PARAM_OUTPUT) && lists(demand.outputs, param.name) && demand.asked &&
-          !lists(demand.asked, param.name))
-        return true;
-    }
-  return false;
-}
-
 } // namespace
 
 void ShaderLoader::open(std::span<const ShaderUse *const> uses) {
   std::vector<const ShaderUse *> added;
   std::copy_if(uses.begin(), uses.end(), std::back_inserter(added),
                [&](const ShaderUse *use) { return !libraryOf.contains({use, RayKind::Camera}); });
-  const size_t before = libraries.size();
-  openAll(variants.plan(added, warnings));
-  // What is seen in mirrors is filtered as wide as the rays there say, which has its price.
-  auto infoOf = [](const auto &opened) -> const AnyslLibraryInfo & {
-    return *anysl_library_info(opened->library.get());
-  };
-  bool filtered = std::any_of(libraries.begin(), libraries.end(),
-                              [&](const auto &opened) { return wantsFootprints(infoOf(opened)); });
-  std::vector<WantedLibrary> again;
-  for (size_t i = libraries.size(); filtered && i-- > before;)
-    if (stc::has(effectsOf(infoOf(libraries[i])), stc::Effect::Trace)) {
-      for (const ShaderUse *use : libraries[i]->wanted.uses)
-        libraryOf.erase({use, RayKind::Camera});
-      again.push_back(std::move(libraries[i]->wanted));
-      again.back().variant.rayDerivatives = true;
-      libraries.erase(libraries.begin() + ptrdiff_t(i));
-    }
-  openAll(std::move(again));
+  std::vector<WantedLibrary> wanted = variants.plan(added, warnings);
+  if (scene.description.maxDepth > 0 && variants.mayTrace()) {
+    // What is seen in mirrors is filtered as wide as the rays there say, which has its price.
+    outlineAll(wanted);
+    wantsFootprints |= std::any_of(wanted.begin(), wanted.end(), [](const WantedLibrary &library) {
+      return library.outline->wantsFootprints;
+    });
+    for (WantedLibrary &library : wanted)
+      library.variant.rayDerivatives = wantsFootprints && library.outline->traces;
+  }
+  openAll(std::move(wanted));
   for (; logged < libraries.size(); ++logged)
     if (AnyslNoteLog *log = anysl_note_log_create(libraries[logged]->library.get()))
       notes.emplace_back(log);
@@ -189,14 +160,53 @@ void ShaderLoader::openForRays() {
       if (inShadows.contains(use))
         shadow.push_back(use);
     }
-    bool isSmaller = hasOutputsForPicturesOnly(*anysl_library_info(opened->library.get()),
-                                               opened->wanted.demand);
-    if (!traced.empty() && isSmaller && tracesRays && description.maxDepth > 0)
-      more.push_back(Variants::forRays(opened->wanted, RayKind::Traced, std::move(traced)));
+    auto add = [&](RayKind rays, std::vector<const ShaderUse *> uses) {
+      if (auto smaller = smallerFor(rays, *opened, std::move(uses)))
+        more.push_back(std::move(*smaller));
+    };
+    if (!traced.empty() && tracesRays && description.maxDepth > 0)
+      add(RayKind::Traced, std::move(traced));
     if (!shadow.empty() && stc::has(effects, stc::Effect::Shadows))
-      more.push_back(Variants::forRays(opened->wanted, RayKind::Shadow, std::move(shadow)));
+      add(RayKind::Shadow, std::move(shadow));
   }
   openAll(std::move(more));
+}
+
+std::optional<WantedLibrary> ShaderLoader::smallerFor(RayKind rays, Opened &opened,
+                                                      std::vector<const ShaderUse *> uses) const {
+  // Compiling takes as long as there is code, and has to be worth that.
+  constexpr double worthwhile = 0.875;
+  WantedLibrary smaller = Variants::forRays(opened.wanted, rays, std::move(uses));
+  if (smaller.variant.manifest == opened.wanted.variant.manifest)
+    return std::nullopt;
+  auto outlineOf = [this](WantedLibrary &library) -> const LibraryOutline & {
+    if (!library.outline)
+      library.outline = cache.outline(library.name, library.uses[0]->where, library.variant);
+    return *library.outline;
+  };
+  if (outlineOf(smaller).instructions > worthwhile * outlineOf(opened.wanted).instructions)
+    return std::nullopt;
+  return smaller;
+}
+
+void ShaderLoader::outlineAll(std::vector<WantedLibrary> &wanted) {
+  std::vector<std::exception_ptr> errors(wanted.size());
+  tbb::parallel_for(size_t(0), wanted.size(), [&](size_t i) {
+    try {
+      wanted[i].outline =
+          cache.outline(wanted[i].name, wanted[i].uses[0]->where, wanted[i].variant);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  });
+  for (std::exception_ptr &error : errors)
+    try {
+      if (error)
+        std::rethrow_exception(error);
+    } catch (const UserError &refused) {
+      warnings.fail(refused.where, refused.message);
+    }
+  std::erase_if(wanted, [](const WantedLibrary &library) { return !library.outline; });
 }
 
 void ShaderLoader::openAll(std::vector<WantedLibrary> wanted) {

@@ -113,7 +113,13 @@ private:
     WantedLibrary wanted;
     std::unique_ptr<AnyslLibrary, Close> library;
   };
+  /// Leaves out, with a warning, what does not compile.
+  void outlineAll(std::vector<WantedLibrary> &wanted);
   void openAll(std::vector<WantedLibrary> wanted);
+  /// What is enough of an open library for some of its uses where rays are of a kind; nothing if it
+  /// would hardly be smaller.
+  std::optional<WantedLibrary> smallerFor(RayKind rays, Opened &opened,
+                                          std::vector<const ShaderUse *> uses) const;
   void setParameters(Shader &shader);
 
   const Scene &scene;
@@ -123,6 +129,7 @@ private:
   unsigned width;
   Warnings &warnings;
   AnyslReal format = ANYSL_REAL_FLOAT;
+  bool wantsFootprints = false; ///< some shader does
   std::vector<std::unique_ptr<Opened>> libraries;
   std::map<std::pair<const ShaderUse *, RayKind>, Opened *> libraryOf;
   std::vector<shade::NoteLogHandle> notes; ///< of libraries that note something

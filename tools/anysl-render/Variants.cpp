@@ -41,6 +41,7 @@ WantedLibrary Variants::forRays(const WantedLibrary &camera, RayKind rays,
   WantedLibrary result = camera;
   result.uses = std::move(uses);
   result.rays = rays;
+  result.outline.reset();
   result.demand.outputs = rays == RayKind::Shadow ? std::vector<std::string>{"Oi"}
                                                   : std::vector<std::string>{"Ci", "Oi"};
   setManifest(result);
@@ -72,6 +73,11 @@ demand::Demand Variants::common() const {
 bool Variants::asksLights() const {
   return std::any_of(asking.begin(), asking.end(),
                      [](const auto &entry) { return entry.second.asksLights; });
+}
+
+bool Variants::mayTrace() const {
+  return !cache.specialises() || std::any_of(asking.begin(), asking.end(),
+                                             [](const auto &entry) { return entry.second.traces; });
 }
 
 std::vector<const Shape *> Variants::shapesOf(const std::vector<const ShaderUse *> &uses) const {

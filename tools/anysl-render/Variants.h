@@ -26,6 +26,7 @@ struct WantedLibrary {
   std::vector<const ShaderUse *> uses;
   demand::Demand demand = {}; ///< what it is linked for, unless that is any scene
   RayKind rays = RayKind::Camera;
+  std::optional<LibraryOutline> outline = {}; ///< where somebody had to know
 };
 
 /// Says for what a scene's shaders are linked: uses that switch the same effects off share a
@@ -40,6 +41,9 @@ public:
   /// The libraries of these uses. Shaders that are missing or do not compile have none, with a
   /// warning, or throw UserError. What earlier uses ask for counts as well.
   std::vector<WantedLibrary> plan(std::span<const ShaderUse *const> uses, Warnings &warnings);
+
+  /// Whether a shader may see what rays meet, of all that plan() has been asked for.
+  bool mayTrace() const;
 
   /// The same library for rays that want less of it, and for some of its uses.
   static WantedLibrary forRays(const WantedLibrary &camera, RayKind rays,

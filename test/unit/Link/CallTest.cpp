@@ -47,6 +47,22 @@ TEST_CASE("what is reachable is found through every function between") {
   CHECK_FALSE(reached.contains(module->getFunction("d")));
 }
 
+TEST_CASE("expanded, a function has what it calls once a call") {
+  LLVMContext context;
+  SMDiagnostic error;
+  auto module = parseAssemblyString(R"(
+    declare void @service()
+    define void @twice() { call void @once() call void @once() call void @service() ret void }
+    define void @once() { call void @leaf() ret void }
+    define void @leaf() { ret void })",
+                                    error, context);
+  REQUIRE(module);
+  // Calls count themselves: 1, 1 + 1 + 1, and 4 + 3 + 3.
+  CHECK(anysl::link::expandedInstructions(*module->getFunction("leaf")) == 1);
+  CHECK(anysl::link::expandedInstructions(*module->getFunction("once")) == 3);
+  CHECK(anysl::link::expandedInstructions(*module->getFunction("twice")) == 10);
+}
+
 TEST_CASE("native widths and features follow from the processor") {
   anysl::DiagnosticEngine diags("link-tests");
   struct {
