@@ -24,8 +24,8 @@ RayList::RayList(Arena &arena, uint32_t capacity) : capacity(capacity) {
     *array = arena.allocate<uint32_t>(size);
 }
 
-/// Lets lanes behind the last ray hold rays that end before they begin. Embree may look at a packet's
-/// lanes before it asks which are valid, where it traces a packet in parts.
+/// Lets lanes behind the last ray hold rays that end before they begin. Embree may look at a
+/// packet's lanes before it asks which are valid, where it traces a packet in parts.
 static void fillLastPacket(RayList &rays, unsigned width) {
   for (uint32_t i = rays.count; i % width; ++i) {
     for (int k = 0; k < 3; ++k)
