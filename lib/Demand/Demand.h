@@ -93,6 +93,12 @@ Demand readManifest(const std::shared_ptr<const render::SourceFile> &file);
 /// not say who gives a value.
 std::string writeManifest(const Demand &demand, bool places = true);
 
+/// The flags that are known of a light shader: one that is to cast shadows may look for them
+/// itself.
+inline uint32_t shadowsKnownOf(const render::LightUse &shader) {
+  return shader.castsShadow ? 0 : ANYSL_LIGHT_CASTS_SHADOW;
+}
+
 /// The lights that shine on some shape: indices into SceneDescription::lights.
 std::set<uint32_t> usedLights(const render::SceneDescription &scene);
 

@@ -68,8 +68,7 @@ std::optional<LightDemand> lightOf(const LightUse &light) {
   if (!light.shapes.empty())
     return std::nullopt;
   if (values.kind == ANYSL_LIGHT_SHADER) {
-    // One that is to cast shadows may look for them itself.
-    result.values.known_flags = light.castsShadow ? 0 : ANYSL_LIGHT_CASTS_SHADOW;
+    result.values.known_flags = shadowsKnownOf(light);
     return result;
   }
   auto flag = [&](uint32_t bit, bool isSet) {

@@ -79,8 +79,9 @@ unsigned sizeOfCode(const Session &session) {
   return result;
 }
 
-/// Unrolls the loops over lights of one function, inner ones first. Gives how many there were.
-unsigned unroll(Function &function, unsigned lights, const Session &session) {
+/// Unrolls the loops over lights of one function, inner ones first, where the rounds with the
+/// lights' code are not too long. Gives how many there were.
+unsigned unroll(Function &function, unsigned lights, unsigned codeSize, const Session &session) {
   SmallVector<CallInst *> counts;
   for (Instruction &instruction : instructions(function))
     if (auto *call = dyn_cast<CallInst>(&instruction))
@@ -108,7 +109,7 @@ unsigned unroll(Function &function, unsigned lights, const Session &session) {
   unsigned unrolled = 0;
   SmallVector<Loop *, 4> inOrder = loops.getLoopsInReverseSiblingPreorder();
   for (Loop *loop : reverse(inOrder)) {
-    if (!found.contains(loop) || sizeOf(*loop) * lights + sizeOfCode(session) > mostInstructions)
+    if (!found.contains(loop) || sizeOf(*loop) * lights + codeSize > mostInstructions)
       continue;
     simplifyLoop(loop, &dominators, &loops, &evolution, &assumptions, nullptr,
                  /*PreserveLCSSA=*/false);
@@ -254,8 +255,9 @@ bool unrollLights(Session &session) {
     session.report.linkedLights.push_back(light.kind);
   if (carriesDerivatives(*session.module))
     session.lightCode.clear(); // they go through a renderer without
+  const unsigned codeSize = sizeOfCode(session);
   for (Function &function : *session.module) {
-    session.report.lightLoops += unroll(function, unsigned(lights.size()), session);
+    session.report.lightLoops += unroll(function, unsigned(lights.size()), codeSize, session);
     decideCategories(function, lights, session);
     callLightCode(session, function);
   }

@@ -101,17 +101,23 @@ void RibState::shadingRate(RibArguments &arguments) {
   state.appearance.shadingRate = rate;
 }
 
+SetName anysl::render::takeSetName(std::string_view &list) {
+  size_t end = std::min(list.find_first_of(", "), list.size());
+  SetName result{0, list.substr(0, end)};
+  list.remove_prefix(std::min(end + 1, list.size()));
+  if (result.name.starts_with('+') || result.name.starts_with('-')) {
+    result.sign = result.name.front();
+    result.name.remove_prefix(1);
+  }
+  return result;
+}
+
 /// "a,b" says of which sets a surface is a member, "+a,-b" how that changes.
 static void joinSets(std::vector<std::string> &sets, std::string_view text) {
   bool isNew = true;
   while (!text.empty()) {
-    size_t end = std::min(text.find_first_of(", "), text.size());
-    std::string_view name = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    char sign = name.empty() ? ' ' : name.front();
-    if (sign == '+' || sign == '-')
-      name.remove_prefix(1);
-    else if (isNew)
+    auto [sign, name] = takeSetName(text);
+    if (!sign && isNew)
       sets.clear();
     isNew = false;
     std::erase(sets, name);

@@ -287,6 +287,14 @@ struct SceneDescription {
   std::vector<Shape> shapes;
 };
 
+/// A name in a list of sets, and the sign before it: '+', '-', or 0.
+struct SetName {
+  char sign;
+  std::string_view name;
+};
+/// Takes the first name off a list such as "a,+b,-c"; between two separators it is empty.
+SetName takeSetName(std::string_view &list);
+
 } // namespace anysl::render
 
 #endif

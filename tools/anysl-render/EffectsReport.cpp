@@ -17,6 +17,7 @@
 #include "tools/anysl-render/SceneEffects.h"
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 
 namespace demand = anysl::demand;
@@ -27,8 +28,10 @@ using namespace anysl::render;
 
 namespace {
 
-/// How often each picture is rendered; the median counts.
-constexpr int rounds = 3;
+/// How often each picture is rendered at least and at most, and within how many seconds altogether
+/// there may be more than at least; the median counts.
+constexpr int fewestRounds = 3, mostRounds = 15;
+constexpr double secondsForMore = 30;
 
 /// What a library is made of, or what an effect has of it.
 struct Size {
@@ -200,10 +203,16 @@ struct Candidate {
   double secondsAfter() const { return shade::quantile(after, 0.5); }
 };
 
+/// What half of the renderings of one picture differ by.
+double spread(const std::vector<double> &seconds) {
+  return shade::quantile(seconds, 0.75) - shade::quantile(seconds, 0.25);
+}
+
 struct Measured {
   Effects effects;
   Size before, after;
   double secondsBefore = 0, secondsAfter = 0;
+  double spreadBefore = 0, spreadAfter = 0;
 };
 
 /// Names the displays that show outputs among the reasons for these.
@@ -289,17 +298,25 @@ Measured measure(const Options &options, const SceneDescription &scene,
     }
   }
   shade::Progress progress(fs::path(options.scene).filename().string(), options.quiet);
-  for (int round = 0; round < rounds; ++round)
+  const auto begin = std::chrono::steady_clock::now();
+  int rounds = fewestRounds;
+  for (int round = 0; round < rounds; ++round) {
     for (size_t i = 0; i < candidates.size(); ++i) {
       Candidate &its = candidates[i];
       its.general->render(its.before, its.again);
       its.special->render(its.after, its.again);
       progress.show((round + double(i + 1) / double(candidates.size())) / rounds);
     }
+    std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    if (round == 0)
+      rounds = std::clamp(int(secondsForMore / elapsed.count()), fewestRounds, mostRounds);
+  }
   progress.finish();
   const Candidate &all = candidates[0], &nothing = candidates[1];
   result.secondsBefore = all.secondsBefore();
   result.secondsAfter = all.secondsAfter();
+  result.spreadBefore = spread(all.before);
+  result.spreadAfter = spread(all.after);
   for (const Candidate &its : candidates) {
     if (!its.effect)
       continue;
@@ -368,6 +385,8 @@ void printTable(const Measured &measured) {
   }
   line("all", "", sizes(measured.before, measured.after),
        times(measured.secondsBefore, measured.secondsAfter), "of the whole picture");
+  line("spread", "", "", times(measured.spreadBefore, measured.spreadAfter),
+       "what half of its renderings differ by");
 }
 
 std::string number(double value) { return demand::shortest(value); }
@@ -388,7 +407,8 @@ std::string makeJson(const std::string &name, const Measured &measured) {
   };
   std::string text =
       "{\"scene\": " + demand::quoted(name) + sizes(measured.before, measured.after) +
-      pair("seconds", measured.secondsBefore, measured.secondsAfter) + ",\n\"effects\": [";
+      pair("seconds", measured.secondsBefore, measured.secondsAfter) +
+      pair("spread", measured.spreadBefore, measured.spreadAfter) + ",\n\"effects\": [";
   bool isFirst = true;
   for (const auto &[effect, its] : measured.effects) {
     text += std::string(isFirst ? "" : ",") + "\n{\"effect\": " + demand::quoted(effect) +
@@ -438,14 +458,17 @@ std::string makePage(const std::string &name, const Measured &measured) {
          "<div style=\"white-space: normal; min-width: 30em\">" + plot::escaped(reason(its)) +
              "</div>"});
   }
-  char summary[400];
-  std::snprintf(summary, sizeof summary,
-                "<p>The picture takes %.1f ms of processor time with shaders for any scene (grey "
-                "bars), %.1f ms with those linked for it (blue). An effect's bar is what the "
-                "picture takes less without it, that of an input what it takes more to compute it "
-                "once more; instructions and calls are those of the shaders "
-                "for one point.</p>",
-                1e3 * measured.secondsBefore, 1e3 * measured.secondsAfter);
+  char summary[500];
+  std::snprintf(
+      summary, sizeof summary,
+      "<p>The picture takes %.1f ms of processor time with shaders for any scene (grey "
+      "bars), %.1f ms with those linked for it (blue); half of its renderings differ by %.1f "
+      "and %.1f ms. An effect's bar is what the "
+      "picture takes less without it, that of an input what it takes more to compute it "
+      "once more; instructions and calls are those of the shaders "
+      "for one point.</p>",
+      1e3 * measured.secondsBefore, 1e3 * measured.secondsAfter, 1e3 * measured.spreadBefore,
+      1e3 * measured.spreadAfter);
   return plot::page(plot::escaped(name) + ": what the scene calls for",
                     summary + ("<div class=\"scroll\">" +
                                plot::table({"effect", "", "cost in time", "instructions", "calls",

@@ -145,8 +145,7 @@ demand::LightDemand demandFor(const LightUse &use, const AnyslLight &light) {
   result.values.light.kind = light.kind;
   if (light.kind == ANYSL_LIGHT_SHADER) {
     result.kind = kindOfShader(use.name);
-    // One that is to cast shadows may look for them itself.
-    result.values.known_flags = use.castsShadow ? 0 : ANYSL_LIGHT_CASTS_SHADOW;
+    result.values.known_flags = demand::shadowsKnownOf(use);
     return result;
   }
   result.kind = demand::sourceOf(light.kind);

@@ -41,14 +41,10 @@ bool anysl::render::isWithinDepth(const Scene &scene, const ShadingGroup &group,
 bool anysl::render::isInSubset(const std::vector<std::string> &sets, std::string_view subset) {
   bool isWanted = false, wantsSome = false;
   while (!subset.empty()) {
-    size_t end = std::min(subset.find_first_of(", "), subset.size());
-    std::string_view name = subset.substr(0, end);
-    subset.remove_prefix(std::min(end + 1, subset.size()));
-    bool isExcluded = name.starts_with('-');
-    if (isExcluded || name.starts_with('+'))
-      name.remove_prefix(1);
+    auto [sign, name] = takeSetName(subset);
     if (name.empty())
       continue;
+    bool isExcluded = sign == '-';
     bool isMember = std::find(sets.begin(), sets.end(), name) != sets.end();
     if (isExcluded && isMember)
       return false;

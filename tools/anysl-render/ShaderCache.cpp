@@ -359,9 +359,10 @@ demand::Json ShaderCache::report(const std::string &name, const Location &where,
   Source source = lookUp(name, where);
   std::string key = keyOf(source, variant, "report " + variant.withPlaces);
   fs::path file = make(source, key + ".report.json", [&](const fs::path &path) {
-    TemporaryFile library{path.string() + ".so"};
+    // It tells of code before machine code is made of it, so that there need not be any.
+    TemporaryFile code{path.string() + ".bc"};
     link(source, variant, path,
-         {"-o", library.path.string(), "--width", "1", "--report", path.string()});
+         {"-o", code.path.string(), "--width", "1", "--report", path.string()});
   });
   return demand::parseJson(loadSourceFile(file.string()));
 }

@@ -14,6 +14,9 @@ namespace anysl {
 
 inline bool isAlike(float a, float b) { return a == b; }
 
+/// A text that may be missing, in place of which there is an empty one.
+inline const char *orEmpty(const char *text) { return text ? text : ""; }
+
 /// Texts may be null.
 inline bool isAlike(const char *a, const char *b) {
   if (a == b || !a || !b)

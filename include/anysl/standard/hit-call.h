@@ -70,10 +70,9 @@ inline void askForHits(ANYSL_HIT_BARE_PARAMETERS, const AnyslRayDerivatives *cha
     uint32_t lead = uint32_t(__builtin_ctz(mask));
     uint32_t group = likeFirst(mask, width, kind, subset, sides);
     mask &= ~group;
-    auto text = [](const char *t) { return t ? t : ""; };
-    hits.kind = text(kind[lead]);
-    hits.subset = text(subset[lead]);
-    hits.sides = text(sides[lead]);
+    hits.kind = orEmpty(kind[lead]);
+    hits.subset = orEmpty(subset[lead]);
+    hits.sides = orEmpty(sides[lead]);
     args->services->trace_hit(args->renderer, args, point, width, group, P, R, reach, &hits);
   }
 }

@@ -92,16 +92,15 @@ inline void askForTextures(ANYSL_TEXTURE_PARAMETERS, uint32_t width, uint32_t ma
     uint32_t group =
         likeFirst(mask, width, channel, fill, bias, samples, name, filter, swrap, twrap);
     mask &= ~group;
-    auto text = [](const char *t) { return t ? t : ""; };
     auto count = [](float n) { return n > 0 && n < 1e6f ? uint32_t(n) : 0u; };
     AnyslTextureRequest request = {sizeof(AnyslTextureRequest),
                                    query >> 8 & 0xff,
                                    count(channel[lead]),
                                    count(samples[lead]),
-                                   text(name[lead]),
-                                   text(filter[lead]),
-                                   text(swrap[lead]),
-                                   text(twrap[lead]),
+                                   orEmpty(name[lead]),
+                                   orEmpty(filter[lead]),
+                                   orEmpty(swrap[lead]),
+                                   orEmpty(twrap[lead]),
                                    fill[lead],
                                    bias[lead]};
     alignas(64) float result[3 * 16] = {};
