@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 /** Changes when any structure below does; a library of another version is refused. */
-#define ANYSL_ABI_VERSION 6
+#define ANYSL_ABI_VERSION 7
 /** The first field of AnyslLibraryInfo: "AnSL" read as a little-endian number. */
 #define ANYSL_MAGIC 0x4c536e41u
 /** The one symbol that a shader library exports, an AnyslLibraryInfo. */

@@ -61,6 +61,15 @@ typedef struct AnyslLinkedLight {
   uint32_t known_flags; /**< the flags that are known */
 } AnyslLinkedLight;
 
+/** A value of a linked light shader's parameter that is a constant in the code. */
+typedef struct AnyslLinkedParam {
+  uint32_t light;   /**< its number in the batch */
+  uint32_t cell;    /**< in AnyslLight::params */
+  const char *name; /**< of the parameter */
+  const char *text; /**< null: it is a number */
+  double number;
+} AnyslLinkedParam;
+
 /** What a shader's source has, of which its scene may not call for all. A host that treats shaders
     by what they can do, such as lights that look for shadows themselves, goes by this. */
 typedef struct AnyslSourceInfo {
@@ -93,6 +102,9 @@ typedef struct AnyslDemandInfo {
   float ambient[3];
   uint32_t fixed_global_count;
   const AnyslFixedGlobal *fixed_globals;
+  const AnyslLinkedParam *linked_params;
+  uint32_t linked_param_count;
+  uint32_t reserved;
 } AnyslDemandInfo;
 
 /** What a renderer's scene has, and wants to see. */

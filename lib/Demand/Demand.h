@@ -36,7 +36,8 @@ struct ShaderDemand {
 struct LightDemand {
   std::string kind; ///< the name of its light source or light shader
   AnyslLinkedLight values = {};
-  std::string category; ///< if it is known; `values` have none
+  std::string category;    ///< if it is known; `values` have none
+  ShaderDemand parameters; ///< of a light shader
 };
 
 /// What a scene calls for. What is not said is not known, and kept.

@@ -7,6 +7,7 @@
 
 #include "lib/Demand/Demand.h"
 #include "lib/Demand/ManifestLights.h"
+#include "lib/Demand/ManifestShaders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,58 +16,6 @@ using namespace anysl::render;
 
 namespace anysl::demand {
 namespace {
-
-/// 0.5, [1, 0, 0], "grid.tex", null, or one of these with its origin: {"value": 0.5, "from":
-/// "..."}.
-std::optional<Value> readValue(const Json &json, const std::string &name) {
-  if (json.kind == Json::Null)
-    return std::nullopt;
-  Value result;
-  result.from = placeOf(json.where);
-  const Json *value = &json;
-  if (json.kind == Json::Object) {
-    value = nullptr;
-    const Key keys[] = {{"value", [&](const Json &given, const std::string &) { value = &given; }},
-                        {"from", [&](const Json &given, const std::string &key) {
-                           expect(given, Json::Text, key);
-                           result.from = given.text;
-                         }}};
-    readMembers(json, "a value", keys);
-    if (!value)
-      throw UserError(json.where, "\"" + name + "\" has no \"value\"");
-  }
-  if (value->kind == Json::Text) {
-    result.text = value->text;
-  } else if (value->kind == Json::Number) {
-    result.numbers = {value->number};
-  } else if (value->kind == Json::Array && !value->items.empty()) {
-    for (const Json &item : value->items) {
-      expect(item, Json::Number, name + "[]");
-      result.numbers.push_back(item.number);
-    }
-  } else {
-    throw UserError(value->where,
-                    "\"" + name + "\" is a number, numbers or text, not " + describe(value->kind));
-  }
-  return result;
-}
-
-ShaderDemand readShader(const Json &json, const std::string &name, bool complete) {
-  expect(json, Json::Object, name);
-  ShaderDemand result;
-  result.complete = complete;
-  const Key keys[] = {{"parameters",
-                       [&](const Json &value, const std::string &key) {
-                         expect(value, Json::Object, key);
-                         for (const Json::Member &member : value.members)
-                           result.parameters[member.key] = readValue(member.value, member.key);
-                       }},
-                      {"complete", [&](const Json &value, const std::string &key) {
-                         result.complete = readBool(value, key);
-                       }}};
-  readMembers(json, "a shader", keys);
-  return result;
-}
 
 /// A manifest that says all there is to say: what it leaves out is not called for.
 void complete(Demand &demand) {
@@ -183,29 +132,11 @@ std::string writeManifest(const Demand &demand, bool places) {
     key(name);
     result += *value ? "true" : "false";
   };
-  auto valueText = [&](const Value &value) {
-    std::string text;
-    for (double number : value.numbers)
-      text += (text.empty() ? "" : ", ") + shortest(number);
-    text = value.numbers.empty()       ? quoted(value.text)
-           : value.numbers.size() == 1 ? text
-                                       : "[" + text + "]";
-    return places && !value.from.empty()
-               ? "{\"value\": " + text + ", \"from\": " + quoted(value.from) + "}"
-               : text;
-  };
   if (!demand.shaders.empty()) {
     key("shaders");
     std::string shaders;
-    for (const auto &[name, shader] : demand.shaders) {
-      std::string parameters;
-      for (const auto &[parameter, value] : shader.parameters)
-        parameters += (parameters.empty() ? "" : ", ") + quoted(parameter) + ": " +
-                      (value ? valueText(*value) : "null");
-      shaders += (shaders.empty() ? "" : ", ") + quoted(name) +
-                 ": {\"complete\": " + (shader.complete ? "true" : "false") +
-                 ", \"parameters\": {" + parameters + "}}";
-    }
+    for (const auto &[name, shader] : demand.shaders)
+      shaders += (shaders.empty() ? "" : ", ") + quoted(name) + ": " + writeShader(shader, places);
     result += "{" + shaders + "}";
   }
   if (!demand.globals.empty()) {
@@ -220,7 +151,7 @@ std::string writeManifest(const Demand &demand, bool places) {
   texts("asked", demand.asked);
   if (demand.eachLight) {
     key("lights");
-    result += writeLights(demand);
+    result += writeLights(demand, places);
   } else {
     texts("lights", demand.lights);
   }

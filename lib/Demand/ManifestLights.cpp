@@ -6,6 +6,7 @@
 //===------------------------------------------------------------------------------------------===//
 
 #include "lib/Demand/ManifestLights.h"
+#include "lib/Demand/ManifestShaders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,10 @@ LightDemand readLight(const Json &object) {
                       expect(value, Json::Text, key);
                       light.values.known |= ANYSL_KNOWN_CATEGORY;
                       light.category = value.text;
+                    }});
+  if (kind == 1u << ANYSL_LIGHT_SHADER)
+    keys.push_back({"shader", [&](const Json &value, const std::string &key) {
+                      light.parameters = readShader(value, key, /*complete=*/false);
                     }});
   unsigned cone = 0; // how much of it is given
   for (const Field &field : fields)
@@ -164,7 +169,7 @@ void addShadows(const Json &manifest, Demand &demand) {
     demand.shadows = casts;
 }
 
-std::string writeLights(const Demand &demand) {
+std::string writeLights(const Demand &demand, bool places) {
   std::string result;
   auto numbersOf = [](const float *numbers, size_t count) {
     std::string text;
@@ -192,6 +197,10 @@ std::string writeLights(const Demand &demand) {
     if (light.values.known & ANYSL_KNOWN_CATEGORY) {
       key("category");
       values += quoted(light.category);
+    }
+    if (light.parameters.complete || !light.parameters.parameters.empty()) {
+      key("shader");
+      values += writeShader(light.parameters, places);
     }
     add(light.kind, values);
   }

@@ -19,8 +19,9 @@ void readLights(const Json &value, const std::string &key, Demand &demand);
 /// Follows from the lights whether any casts shadows, where the manifest does not say so; throws
 /// UserError if it says otherwise.
 void addShadows(const Json &manifest, Demand &demand);
-/// The lights of `demand.eachLight`, and whether there are ambient ones.
-std::string writeLights(const Demand &demand);
+/// The lights of `demand.eachLight`, and whether there are ambient ones. `places`: with who gives
+/// each value of a parameter.
+std::string writeLights(const Demand &demand, bool places);
 
 } // namespace anysl::demand
 

@@ -8,6 +8,7 @@
 #include "lib/Host/Internal.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
 #include <string_view>
@@ -93,6 +94,23 @@ std::string difference(const AnyslLinkedLight &linked, const AnyslLight &light) 
   return {};
 }
 
+/// What a parameter of a linked light shader is other than, as the end of a sentence; empty if
+/// nothing.
+std::string difference(const AnyslLinkedParam &linked, const AnyslLight &light) {
+  const AnyslCell &cell = light.params[linked.cell];
+  const std::string name = "'" + std::string(linked.name) + "'";
+  if (linked.text)
+    return std::strcmp(linked.text, cell.string ? cell.string : "")
+               ? "has \"" + std::string(linked.text) + "\" as " + name + ", and here it is \"" +
+                     (cell.string ? cell.string : "") + "\""
+               : std::string();
+  if (!std::memcmp(&linked.number, &cell.number, sizeof linked.number)) // bits, as above
+    return {};
+  char numbers[80];
+  std::snprintf(numbers, sizeof numbers, ": %.9g, and here it is %.9g", linked.number, cell.number);
+  return "has another " + name + " than here" + numbers;
+}
+
 /// The same of all lights.
 std::string otherLights(const AnyslDemandInfo &demand, const AnyslLight *lights, uint32_t count,
                         const float (&ambient)[3]) {
@@ -113,6 +131,11 @@ std::string otherLights(const AnyslDemandInfo &demand, const AnyslLight *lights,
   for (uint32_t i = 0; i < count; ++i)
     if (std::string what = difference(demand.lights[i], lights[i]); !what.empty())
       return "whose light " + std::to_string(i + 1) + " " + what;
+  for (uint32_t i = 0; i < demand.linked_param_count; ++i) {
+    const AnyslLinkedParam &linked = demand.linked_params[i];
+    if (std::string what = difference(linked, lights[linked.light]); !what.empty())
+      return "whose light " + std::to_string(linked.light + 1) + " " + what;
+  }
   return {};
 }
 

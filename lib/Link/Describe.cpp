@@ -69,13 +69,15 @@ private:
       sources.push_back(
           structure(sizeof(AnyslSourceInfo), {u64(shader.sourceWritten), u32(shader.sourceEffects),
                                               u32(shader.keepsOpacity)}));
-    SmallVector<Constant *> lights;
+    SmallVector<Constant *> lights, params;
     if (!session.report.linkedLights.empty())
       for (auto [number, its] : enumerate(linkedLights(session))) {
         demand::LightDemand light = its;
         if (number < session.lightCode.size() && session.lightCode[number].isCalled) {
           light.values.known |= ANYSL_KNOWN_CODE;
           light.values.light.code = session.lightCode[number].code;
+          for (const LightCell &cell : session.lightCode[number].fixed)
+            params.push_back(linkedParam(unsigned(number), cell));
         }
         lights.push_back(checked(sizeof(AnyslLinkedLight), lightConstant(module, light)));
       }
@@ -87,16 +89,23 @@ private:
       globals.push_back(structure(
           sizeof(AnyslFixedGlobal),
           {u32(global), u32(0), ConstantDataArray::get(session.context, ArrayRef(value))}));
-    Constant *info = structure(sizeof(AnyslDemandInfo),
-                               {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()),
-                                u64(xxh3_64bits(manifest)), text(manifest),
-                                text(join(dropped, ",")), time, array(sources), array(lights),
-                                u32(unsigned(lights.size())), u32(session.linksAmbient),
-                                ConstantDataArray::get(session.context, ArrayRef(ambient)),
-                                u32(unsigned(globals.size())), array(globals)});
+    Constant *info = structure(
+        sizeof(AnyslDemandInfo),
+        {u32(sizeof(AnyslDemandInfo)), u32(scene.assumptions()), u64(xxh3_64bits(manifest)),
+         text(manifest), text(join(dropped, ",")), time, array(sources), array(lights),
+         u32(unsigned(lights.size())), u32(session.linksAmbient),
+         ConstantDataArray::get(session.context, ArrayRef(ambient)), u32(unsigned(globals.size())),
+         array(globals), array(params), u32(unsigned(params.size())), u32(0)});
     auto *variable = new GlobalVariable(module, info->getType(), /*isConstant=*/true,
                                         GlobalValue::ExternalLinkage, info, ANYSL_DEMAND_SYMBOL);
     variable->setAlignment(Align(8));
+  }
+
+  Constant *linkedParam(unsigned light, const LightCell &cell) {
+    return structure(sizeof(AnyslLinkedParam),
+                     {u32(light), u32(cell.cell), text(cell.name),
+                      cell.text ? text(*cell.text) : ConstantPointerNull::get(builder.getPtrTy()),
+                      ConstantFP::get(builder.getDoubleTy(), cell.number)});
   }
 
   Constant *u32(uint32_t value) { return builder.getInt32(value); }

@@ -8,8 +8,8 @@
 // A renderer's answer to light_sample of a light shader is what its library gives for the points in
 // question: L, Cl and Ol that it stores, where it was given Ps and Ns, its own place, and the
 // parameters' values of its instance (lib/Host/LightRun.cpp). That is a function of these, and here
-// it becomes one, of threaded code: the globals are operands, the parameters are read from the
-// batch's light, whatever they are there.
+// it becomes one, of threaded code: the globals are operands, and parameters are the constants that
+// the scene knows, or read from the batch's light, whatever they are there.
 //
 // A light that looks up a picture, asks for a space or a random number, or reads a global of the
 // surface, is run for the renderer's own sake: what it is told depends on who asks. Derivatives do
@@ -20,6 +20,7 @@
 #include "lib/Link/LightCode.h"
 #include "lib/Link/Needs.h"
 #include "lib/Link/OperatorWriter.h"
+#include "lib/Link/Prune.h"
 #include "lib/Link/SceneLights.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/IR/InstIterator.h"
@@ -114,6 +115,27 @@ bool fits(Function &body) {
               idOf(*call, *op) == ANYSL_L;
   }
   return shines && body.getInstructionCount() <= mostInstructions;
+}
+
+/// Makes parameters constants of which the scene knows the light's value.
+std::vector<LightCell> fixCells(Session &session, const stc::ShaderInfo &info,
+                                const demand::ShaderDemand &given) {
+  Shader light;
+  light.info = info;
+  light.fixed.resize(info.params.size());
+  std::vector<FixedValue> values;
+  findSceneConstants(session, light, given, values);
+  specialize(values);
+  std::vector<LightCell> result;
+  for (const FixedValue &value : values) {
+    const stc::ParamInfo &param = info.params[value.param];
+    for (unsigned i = 0; i < param.cellCount(); ++i)
+      if (value.texts.empty())
+        result.push_back({param.firstCell + i, param.name, std::nullopt, value.numbers[i]});
+      else
+        result.push_back({param.firstCell + i, param.name, value.texts[i].str()});
+  }
+  return result;
 }
 
 /// A renderer gives lights no values of parameters point by point.
@@ -230,10 +252,12 @@ bool readLightCode(Session &session) {
       if (shader == file->shaders.end())
         continue;
       const uint64_t code = codeOf(session, *shader);
+      std::vector<LightCell> cells = fixCells(session, *shader, light.parameters);
       decideBound(*shader->body);
       if (!fits(*shader->body))
         break;
-      session.lightCode[number] = {makeFunction(*shader->body, unsigned(number)), code};
+      session.lightCode[number] = {makeFunction(*shader->body, unsigned(number)), code,
+                                   std::move(cells)};
       // Nothing else of the file counts.
       for (Function &function : *file->module)
         if (!function.isDeclaration())

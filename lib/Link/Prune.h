@@ -25,6 +25,11 @@ struct FixedValue {
 /// The constants that a scene makes of parameters: those that it states, and the defaults of those
 /// that it leaves alone (SceneParams.cpp).
 void findSceneConstants(Session &session, std::vector<FixedValue> &values);
+/// The same of one shader, of which this is given.
+void findSceneConstants(Session &session, Shader &shader, const demand::ShaderDemand &given,
+                        std::vector<FixedValue> &values);
+/// Puts constants into the code of their shaders (SpecializeParams.cpp).
+void specialize(llvm::ArrayRef<FixedValue> values);
 
 /// Names of parameters that shaders of the scene may ask others for, or set; nothing: there may be
 /// any.

@@ -42,14 +42,11 @@ std::string wordsOf(const SlotValue &value) {
 class SceneConstants {
 public:
   SceneConstants(Session &session, std::vector<FixedValue> &values)
-      : session(session), scene(*session.options.scene), values(values),
-        asked(askedNames(session)) {}
+      : session(session), values(values), asked(askedNames(session)) {}
 
-  void find(Shader &shader) {
-    auto known = scene.shaders.find(shader.info.name);
-    if (!asked || known == scene.shaders.end())
+  void find(Shader &shader, const demand::ShaderDemand &given) {
+    if (!asked)
       return;
-    const demand::ShaderDemand &given = known->second;
     std::vector<bool> keepsDefault(shader.info.params.size());
     for (unsigned i = 0; i < shader.info.params.size(); ++i) {
       if (!mayFold(shader, i))
@@ -128,12 +125,16 @@ private:
   }
 
   Session &session;
-  const demand::Demand &scene;
   std::vector<FixedValue> &values;
   std::optional<std::set<std::string>> asked;
 };
 
 } // namespace
+
+void findSceneConstants(Session &session, Shader &shader, const demand::ShaderDemand &given,
+                        std::vector<FixedValue> &values) {
+  SceneConstants(session, values).find(shader, given);
+}
 
 std::optional<std::set<std::string>> askedNames(const Session &session) {
   const auto &others = session.options.scene->asked;
@@ -154,9 +155,10 @@ void findSceneConstants(Session &session, std::vector<FixedValue> &values) {
   if (any_of(session.shaders,
              [](const Shader &shader) { return shader.info.kind == stc::ShaderKind::Method; }))
     return;
-  SceneConstants constants(session, values);
+  const auto &known = session.options.scene->shaders;
   for (Shader &shader : session.shaders)
-    constants.find(shader);
+    if (auto given = known.find(shader.info.name); given != known.end())
+      findSceneConstants(session, shader, given->second, values);
 }
 
 } // namespace anysl::link

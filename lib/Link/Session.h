@@ -63,11 +63,20 @@ struct Shader {
   ShaderReport report;
 };
 
+/// A cell of a light shader's parameters that is a constant in its code; as in AnyslLinkedParam.
+struct LightCell {
+  unsigned cell;
+  std::string name;
+  std::optional<std::string> text;
+  double number = 0;
+};
+
 /// The code of a light shader that is linked in.
 struct LightCode {
   /// void (ptr ctx, ptr P, ptr N, ptr L, ptr Cl, ptr Ol); null: it stays the renderer's.
   llvm::Function *function = nullptr;
-  uint64_t code = 0;     ///< as in AnyslShaderInfo
+  uint64_t code = 0; ///< as in AnyslShaderInfo
+  std::vector<LightCell> fixed;
   bool isCalled = false; ///< by some shader
 };
 

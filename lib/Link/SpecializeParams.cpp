@@ -188,6 +188,17 @@ void specializeCall(CallInst &call, const stc::OpInfo &op, const FixedValue &val
 
 } // namespace
 
+void specialize(ArrayRef<FixedValue> values) {
+  for (const FixedValue &value : values)
+    for (Function *function : {value.shader->info.body, value.shader->info.init}) {
+      OperatorWriter writer(*function->getParent());
+      for (Instruction &instruction : make_early_inc_range(instructions(function)))
+        if (auto *call = dyn_cast<CallInst>(&instruction))
+          if (const stc::OpInfo *op = stc::opOfSymbol(call->getCalledFunction()->getName()))
+            specializeCall(*call, *op, value, writer);
+    }
+}
+
 bool specializeParams(Session &session) {
   std::vector<FixedValue> values;
   bool good = true;
@@ -197,17 +208,9 @@ bool specializeParams(Session &session) {
     return false;
   if (session.options.scene)
     findSceneConstants(session, values);
-
-  for (const FixedValue &value : values) {
+  specialize(values);
+  for (const FixedValue &value : values)
     value.shader->report.fixedParams.push_back(value.shader->info.params[value.param].name);
-    for (Function *function : {value.shader->info.body, value.shader->info.init}) {
-      OperatorWriter writer(*function->getParent());
-      for (Instruction &instruction : make_early_inc_range(instructions(function)))
-        if (auto *call = dyn_cast<CallInst>(&instruction))
-          if (const stc::OpInfo *op = stc::opOfSymbol(call->getCalledFunction()->getName()))
-            specializeCall(*call, *op, value, writer);
-    }
-  }
   return true;
 }
 

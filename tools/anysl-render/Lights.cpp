@@ -139,6 +139,14 @@ std::vector<const ShaderUse *> SceneLights::runStandard(const ShaderCache &cache
 
 namespace {
 
+/// What a scene says of a light shader's parameters.
+demand::ShaderDemand parametersOf(const ShaderUse &light) {
+  demand::Demand demand;
+  const ShaderUse *const uses[] = {&light};
+  demand::addShader(demand, {}, uses);
+  return std::move(demand.shaders.begin()->second);
+}
+
 /// What is known of a light before its shader, if it is one, is loaded.
 demand::LightDemand demandFor(const LightUse &use, const AnyslLight &light) {
   demand::LightDemand result;
@@ -187,6 +195,8 @@ SceneLights::Known SceneLights::known(const std::vector<uint32_t> &indices) cons
     }
     for (size_t i = first; i < set.lights.size(); ++i)
       result.each.push_back(demandFor(use, set.lights[i]));
+    for (size_t i = first; useOf[index] && i < set.lights.size(); ++i)
+      result.each[i].parameters = parametersOf(*useOf[index]);
   }
   if (std::all_of(set.ambient, set.ambient + 3, [](float x) { return std::isfinite(x); }))
     result.ambient = std::to_array(set.ambient);
