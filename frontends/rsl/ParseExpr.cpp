@@ -205,7 +205,21 @@ Expr *Parser::parseBinary(int least) {
   return nullptr;
 }
 
+/// RSL has no `--`: in `a--1` and `--1` it is two minus signs. Before and behind a variable alone
+/// it is what other languages have, see parseIncrement.
+void Parser::splitMinus(bool isPrefix) {
+  if (!at(TokenKind::MinusMinus) || !(peek(1).isOneOf(TokenKind::Number, TokenKind::LeftParen) ||
+                                      (!isPrefix && peek(1).is(TokenKind::Identifier))))
+    return;
+  Token first = peek(), second = first;
+  first.kind = second.kind = TokenKind::Minus;
+  first.end = second.loc = SMLoc::getFromPointer(first.loc.getPointer() + 1);
+  tokens[position] = first;
+  tokens.insert(tokens.begin() + static_cast<ptrdiff_t>(position) + 1, second);
+}
+
 Expr *Parser::parseUnary() {
+  splitMinus(/*isPrefix=*/true);
   const Token &token = peek();
   if (token.isOneOf(TokenKind::Minus, TokenKind::Not, TokenKind::Plus)) {
     TokenKind kind = token.kind;
@@ -286,6 +300,7 @@ Expr *Parser::parsePostfix() {
       return nullptr;
     expr = grown(ast.make<IndexExpr>(loc, rangeFrom(begin), expr, index), {expr, index});
   }
+  splitMinus(/*isPrefix=*/false);
   if (expr && peek().isOneOf(TokenKind::PlusPlus, TokenKind::MinusMinus))
     return parseIncrement(expr, begin);
   return expr;
@@ -377,6 +392,13 @@ Expr *Parser::parseCall() {
 /// (expr), or a triple or matrix of comma-separated values.
 Expr *Parser::parseParenthesised() {
   SMLoc begin = take().loc;
+  if (atTypeName() && peek(1).is(TokenKind::RightParen)) {
+    diags
+        .error(begin,
+               "a conversion is written '" + peek().text + " x', without brackets around the type")
+        .range({begin, peek(1).end});
+    return nullptr;
+  }
   std::vector<Expr *> elements;
   do {
     Expr *element = parseExpr();

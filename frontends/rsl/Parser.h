@@ -109,6 +109,7 @@ private:
   Expr *parseAssignment();
   Expr *parseConditional();
   Expr *parseBinary(int least);
+  void splitMinus(bool isPrefix);
   Expr *parseUnary();
   Expr *parsePostfix();
   Expr *parseIncrement(Expr *operand, SMLoc begin);

@@ -66,6 +66,7 @@ private:
   VarDecl *lookup(StringRef name, FunctionDecl **owner = nullptr);
   void declareGlobals();
   void warnUnused(const VarDecl &decl);
+  void declareUnknown(StringRef name, SMRange range);
   std::vector<StringRef> visibleNames() const;
 
   // Declarations
@@ -163,11 +164,13 @@ private:
   Expr *checkIndex(IndexExpr &index);
   Expr *checkNegate(NegateExpr &negate, TypeKind hint);
   Expr *checkBinary(BinaryExpr &binary, TypeKind hint);
+  bool reportMember(BinaryExpr &dot);
   Expr *checkComparison(BinaryExpr &binary);
   Expr *checkConditional(ConditionalExpr &conditional, TypeKind hint);
   Expr *checkAssign(AssignExpr &assign);
   Expr *checkTuple(TupleExpr &tuple, TypeKind hint);
   Expr *checkCast(CastExpr &cast);
+  void checkColorSpace(const Expr &space);
   Expr *checkCall(CallExpr &call, TypeKind hint);
   Expr *checkList(ListExpr &list, Type wanted);
   Expr *checkCondition(Expr *expr);

@@ -155,7 +155,7 @@ Expr *Sema::checkArrayCall(CallExpr &call) {
   }
   call.hasEffects = op != ArrayOp::Capacity;
   if (op == ArrayOp::Resize || op == ArrayOp::Push || op == ArrayOp::Pop)
-    checkTarget(array, valueVaries, call.loc, ("'" + call.name + "'").str());
+    checkTarget(array, valueVaries, call.loc, ("argument 1 of '" + call.name + "'").str());
   call.type = op == ArrayOp::Pop        ? type.element()
               : op == ArrayOp::Capacity ? Type{TypeKind::Float}
                                         : Type{TypeKind::Void};

@@ -390,6 +390,8 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
     }
     if (chosen->isIn(i))
       varying |= arg->type.varying;
+    if (chosen->builtin && chosen->builtin->op == stc::Op::ctransform && param.is(TypeKind::String))
+      checkColorSpace(*arg);
     bad |= arg->type.isError();
     call->hasEffects |= arg->hasEffects;
     if (chosen->function && chosen->function->params[i]->hasStorage && chosen->isIn(i))

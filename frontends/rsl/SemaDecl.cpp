@@ -132,6 +132,16 @@ VarDecl *Sema::lookup(StringRef name, FunctionDecl **owner) {
   return nullptr;
 }
 
+/// Once an unknown name is reported, its further uses are not.
+void Sema::declareUnknown(StringRef name, SMRange range) {
+  auto *unknown = ast.make<VarDecl>();
+  unknown->kind = VarKind::Local;
+  unknown->name = name;
+  unknown->range = range;
+  unknown->isRead = true;
+  scopes.back().variables[name] = unknown;
+}
+
 std::vector<StringRef> Sema::visibleNames() const {
   std::vector<StringRef> names;
   for (const Scope &scope : llvm::reverse(scopes))
@@ -442,6 +452,7 @@ void Sema::checkExtern(ExternStmt &stmt) {
           .error(written->range.Start, "no '" + written->name + "' outside of this function" +
                                            didYouMean(written->name, visibleNames()))
           .range(written->range);
+      declareUnknown(written->name, written->range);
       continue;
     }
     if (found->type.kind != written->type.kind) {

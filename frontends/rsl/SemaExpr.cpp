@@ -111,13 +111,7 @@ Expr *Sema::checkName(NameExpr &name) {
       if (VarDecl *meant = lookup(*likely); meant && meant->range.isValid())
         error.note(meant->range.Start, "'" + *likely + "' is declared here", meant->range);
     }
-    // Once is enough.
-    auto *unknown = ast.make<VarDecl>();
-    unknown->kind = VarKind::Local;
-    unknown->name = name.name;
-    unknown->range = name.range;
-    unknown->isRead = true;
-    scopes.back().variables[name.name] = unknown;
+    declareUnknown(name.name, name.range);
     return failed(&name);
   }
   decl->isRead = true;
@@ -162,6 +156,11 @@ Expr *Sema::checkIndex(IndexExpr &index) {
     }
   } else if (base.isTriple()) {
     index.type.kind = TypeKind::Float;
+    if (std::optional<double> value = constant(index.index); value && (*value < 0 || *value >= 3)) {
+      diags.error(index.index->loc, "a '" + toString(base) + "' has the components 0, 1 and 2")
+          .range(index.index->range);
+      return failed(&index);
+    }
   } else {
     diags.error(index.loc, "a value of type '" + toString(base) + "' has no elements")
         .range(index.base->range);
@@ -212,6 +211,21 @@ TypeKind combinedKind(BinaryOp op, Type left, Type right) {
   return TypeKind::Vector;
 }
 
+/// Cs.r and P.x of other languages.
+bool Sema::reportMember(BinaryExpr &dot) {
+  auto *name = dyn_cast<NameExpr>(dot.right);
+  if (dot.op != BinaryOp::Dot || !name || !dot.left->type.isTriple() || lookup(name->name))
+    return false;
+  size_t component = StringRef("xyzrgb").find(name->name);
+  if (component == StringRef::npos)
+    return false;
+  std::string index = "[" + std::to_string(component % 3) + "]";
+  diags.error(name->loc, "RSL has no '." + name->name + "'; write " + index)
+      .range(name->range)
+      .fixit({dot.loc, name->range.End}, index);
+  return true;
+}
+
 Expr *Sema::checkBinary(BinaryExpr &binary, TypeKind hint) {
   if (isLogical(binary.op)) {
     binary.left = checkCondition(binary.left);
@@ -225,10 +239,16 @@ Expr *Sema::checkBinary(BinaryExpr &binary, TypeKind hint) {
     // Colors have no directions, but shaders multiply them so.
     auto vectorOperand = [&](Expr *operand) {
       operand = check(operand, TypeKind::Vector);
+      if (operand->type.is(TypeKind::Float)) {
+        diags.error(operand->loc, what + " must be a vector, not 'float'").range(operand->range);
+        return failed(operand);
+      }
       return operand->type.isGeometric() ? operand
                                          : convert(operand, {TypeKind::Vector, true}, what);
     };
     binary.left = vectorOperand(binary.left);
+    if (reportMember(binary))
+      return failed(&binary);
     binary.right = vectorOperand(binary.right);
     binary.type = {binary.op == BinaryOp::Dot ? TypeKind::Float : TypeKind::Vector,
                    binary.left->type.varying || binary.right->type.varying};
@@ -400,6 +420,18 @@ Expr *Sema::checkTuple(TupleExpr &tuple, TypeKind hint) {
   return bad ? failed(&tuple) : &tuple;
 }
 
+/// Warns of constant text that names no colour space of the shading library.
+void Sema::checkColorSpace(const Expr &space) {
+  static constexpr StringLiteral known[] = {"rgb", "hsv", "hsl", "yiq", "YIQ", "xyz", "XYZ", "xyY"};
+  auto *name = dyn_cast<StringExpr>(&space);
+  if (name && !is_contained(known, name->value))
+    diags
+        .warning(space.loc, warn::ColorSpace,
+                 "unknown colour space \"" + name->value + "\"; it counts as \"rgb\"" +
+                     didYouMean(name->value, {std::begin(known), std::end(known)}))
+        .range(space.range);
+}
+
 Expr *Sema::checkCast(CastExpr &cast) {
   cast.operand = check(cast.operand, cast.to);
   cast.hasEffects = cast.operand->hasEffects;
@@ -414,6 +446,8 @@ Expr *Sema::checkCast(CastExpr &cast) {
           .range(cast.space->range);
       return failed(&cast);
     }
+    if (cast.to == TypeKind::Color)
+      checkColorSpace(*cast.space);
   }
   if (conversionCost(from, cast.type) < 0) {
     diags
@@ -455,7 +489,11 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
   auto *name = dyn_cast<NameExpr>(base);
   if (!name || !name->decl) {
     if (!base->type.isError())
-      diags.error(loc, how + " needs a variable to its left").range(target->range);
+      diags
+          .error(loc, how + (how.starts_with("'=") || how.starts_with("a compound")
+                                 ? " needs a variable to its left"
+                                 : " must be a variable"))
+          .range(target->range);
     return;
   }
   VarDecl &decl = *name->decl;
@@ -473,7 +511,7 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
         .range(target->range)
         .note(decl.range.Start, "declared here", decl.range);
   }
-  if (decl.kind == VarKind::Global && (shader || structure) && !illuminances) {
+  if (decl.kind == VarKind::Global && (shader || structure)) {
     static constexpr StringLiteral results[] = {"Ci", "Oi"};
     bool writesLight =
         shader && (shader->type == ShaderType::Displacement || shader->type == ShaderType::Light);
@@ -482,7 +520,7 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
           .range(target->range);
       return;
     }
-    if (decl.isReadOnly)
+    if (decl.isReadOnly && !illuminances)
       diags
           .warning(loc, warn::ReadOnlyGlobal,
                    "'" + decl.name + "' is read-only; the assignment changes the shader's own copy")

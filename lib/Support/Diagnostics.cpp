@@ -267,6 +267,16 @@ void DiagnosticEngine::printIncludeStack(SMLoc loc) {
   }
 }
 
+bool DiagnosticEngine::isOnLongLine(SMLoc loc) const {
+  static constexpr size_t MostShown = 1000;
+  unsigned buffer = sourceManager.FindBufferContainingLoc(loc);
+  StringRef all = text(buffer);
+  size_t place = static_cast<size_t>(loc.getPointer() - all.data());
+  size_t begin = all.find_last_of("\r\n", place), end = all.find_first_of("\r\n", place);
+  begin = begin == StringRef::npos ? 0 : begin;
+  return std::min(end, all.size()) - begin > MostShown;
+}
+
 void DiagnosticEngine::print(const Diagnostic &diagnostic) {
   SourceMgr::DiagKind kind = SourceMgr::DK_Error;
   switch (diagnostic.severity) {
@@ -287,7 +297,7 @@ void DiagnosticEngine::print(const Diagnostic &diagnostic) {
   SMLoc loc = !diagnostic.showsLine      ? SMLoc()
               : diagnostic.loc.isValid() ? diagnostic.loc
                                          : locate(position);
-  if (!loc.isValid()) {
+  if (!loc.isValid() || isOnLongLine(loc)) {
     std::string place = position ? position.file : tool;
     if (position && position.line)
       place += ":" + utostr(position.line);

@@ -175,6 +175,8 @@ private:
   llvm::SMLoc locate(const FilePosition &position);
   void print(const Diagnostic &diagnostic);
   void printIncludeStack(llvm::SMLoc loc);
+  /// Whether a place's line is too long to be worth showing, as those of generated files are.
+  bool isOnLongLine(llvm::SMLoc loc) const;
 
   std::string tool;
   llvm::raw_ostream &out;

@@ -20,7 +20,7 @@ surface coshaders(shader layer = null; shader layers[] = {}; uniform string name
   matrix m;
   Ci = layer->tint(unknown);        // expected-error {{unknown variable 'unknown'}}
   float f = getvar(layer, "gain");  // expected-error {{'getvar' takes a shader, a name and a variable}}
-  f = getvar(layer, "gain", 1);     // expected-error {{output argument 3 of 'getvar' needs a variable}}
+  f = getvar(layer, "gain", 1);     // expected-error {{output argument 3 of 'getvar' must be a variable}}
   f = getvar("layer", "gain", f);   // expected-error {{argument 1 of 'getvar': a value of type 'string' is no 'shader'}}
   // What is allowed.
   shader next = f > 0 ? layer : null;

@@ -12,13 +12,13 @@ surface lit(string which = "key"; uniform float u = 0) {
     lightsource("u", u);
     lightsource("list", list);
     lightsource("list", grown);         // expected-error {{output argument 2 of 'lightsource' needs an array of constant length}}
-    lightsource("one", 1);              // expected-error {{output argument 2 of 'lightsource' needs a variable}}
+    lightsource("one", 1);              // expected-error {{output argument 2 of 'lightsource' must be a variable}}
     x = lightsource("one");             // expected-error {{'lightsource' takes a name and a variable}}
   }
   illuminance(P, N);                    // expected-error {{'illuminance' takes a position and, optionally, an axis and an angle}}
   illuminance(P, N, 1, 2);              // expected-error {{'illuminance' takes no more arguments but with a name}}
   illuminance(P, N, 1, "light:x");      // expected-error {{'light:x' lacks its value}}
-  illuminance(P, N, 1, "light:x", 2);   // expected-error {{'light:x' needs a variable}}
+  illuminance(P, N, 1, "light:x", 2);   // expected-error {{'light:x' must be a variable}}
   illuminance(P, N, 1, which, x);       // expected-error {{the name of an argument must be constant text}}
   illuminance(P, N, 1, "lightcach", "reuse"); // expected-error {{'illuminance' has no argument 'lightcach'; did you mean 'lightcache'?}}
   illuminance(P, N, 1, "send:light:x", s > 0.5) Ci += 1; // expected-error {{cannot be sent to a light}}

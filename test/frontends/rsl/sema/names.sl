@@ -12,13 +12,15 @@ surface names(float roughness = 0.1) {        // expected-note 2 {{'roughness' i
   Ci = completly_unknown;                     // expected-error {{unknown variable 'completly_unknown'}}
   float x = 2;                                // expected-error {{redefinition of 'x'}} expected-note@-7 {{previously declared here}}
   { float x = 3; Ci = x; }
+  extern float nowhere;                       // expected-error {{no 'nowhere' outside of this function}}
+  Ci = nowhere;
   Ci = Cl;                                    // expected-error {{'Cl' exists only inside of 'illuminance'}}
 }
 
 float later(float x) { return x; }            // expected-note {{it is defined later; functions must stand before their use}}
 float later(float y) { return y; }            // expected-warning {{redefinition of function 'later'; this one counts from here on}} expected-note@-1 {{previously defined here}}
 color later(float y) { return y; }
-surface names() {}                            // expected-error {{redefinition of shader 'names'}} expected-note@-16 {{previously defined here}}
+surface names() {}                            // expected-error {{redefinition of shader 'names'}} expected-note@-18 {{previously defined here}}
 
 // CHECK: names.sl:6:13: error: unknown variable 'rouhgness'; did you mean 'roughness'?
 // CHECK-NEXT: {{^}}  float x = rouhgness;
@@ -28,4 +30,4 @@ surface names() {}                            // expected-error {{redefinition o
 // CHECK-NEXT: {{^}}surface names(float roughness = 0.1)
 // CHECK-NEXT: {{^}}                    ^~~~~~~~~
 // CHECK: unknown variable 'completly_unknown'{{$}}
-// CHECK: 9 errors and 1 warning generated.
+// CHECK: 10 errors and 1 warning generated.

@@ -16,7 +16,7 @@ surface queries(uniform float u = 1; uniform string file = "wood.tex"; float fix
   attribute("user:list", growing);
   textureinfo("resolution", fixed);            // expected-error {{'textureinfo' takes a file, a name and a variable}}
   x = option("Format");                        // expected-error {{'option' takes a name and a variable}}
-  x = option("Format", 1);                     // expected-error {{output argument 2 of 'option' needs a variable}}
+  x = option("Format", 1);                     // expected-error {{output argument 2 of 'option' must be a variable}}
   x = option(1, x);                            // expected-error {{argument 1 of 'option': a value of type 'float' is no 'string'}}
   attribute("user:id", du);                    // expected-warning {{'du' is read-only}}
   string varied = s > 0.5 ? "a" : "b";

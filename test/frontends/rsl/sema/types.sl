@@ -20,6 +20,15 @@ surface types(string name = "x"; float f = Cs) {  // expected-error {{initialisi
   Ci = f[0];                          // expected-error {{a value of type 'float' has no elements}}
   Ci = float Cs;                      // expected-error {{a value of type 'color' cannot be converted to 'float'}}
   f = float "shader" 1;               // expected-error {{a 'float' is in no coordinate system}}
+  f = f . P;                          // expected-error {{the operand of '.' must be a vector, not 'float'}}
+  Ci = N . Ng ^ N;                    // expected-error {{the operand of '^' must be a vector, not 'float'}}
+  Cs.g = P.z;                         // expected-error {{RSL has no '.g'; write [1]}} expected-error {{RSL has no '.z'; write [2]}}
+  P[3] = Cs[-1];                      // expected-error {{a 'point' has the components 0, 1 and 2}} expected-error {{a 'color' has the components 0, 1 and 2}}
+  N = (normal) P;                     // expected-error {{a conversion is written 'normal x', without brackets around the type}}
+  Ci = color "HSV" (0, 0, 1);         // expected-warning {{unknown colour space "HSV"; it counts as "rgb"; did you mean 'hsv'?}}
+  Ci = ctransform("rgb", "wide", Cs); // expected-warning {{unknown colour space "wide"; it counts as "rgb"}}
+  Ci = ctransform("xyY", Cs) + color "hsl" P + ctransform(name, Cs);
+  fresnel(P, N, 1.5, x, 1);           // expected-error {{output argument 5 of 'fresnel' must be a variable}}
   1 = 2;                              // expected-error {{'=' needs a variable to its left}}
   PI = 3;                             // expected-error {{'=' needs a variable to its left}}
   Ng = N;                             // expected-warning {{'Ng' is read-only; the assignment changes the shader's own copy}}
@@ -57,4 +66,7 @@ surface calls() {
 
 light l() {
   Ci = 1;                             // expected-error {{a light shader has no 'Ci'}}
+}
+displacement lit() {
+  illuminance (P) Oi = 1;             // expected-error {{a displacement shader has no 'Oi'}}
 }
