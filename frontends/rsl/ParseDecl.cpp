@@ -174,11 +174,20 @@ void Parser::parseTopLevel() {
   if (!atNamedType() && first.is(TokenKind::Identifier) && peek(1).is(TokenKind::Identifier)) {
     if (std::optional<ShaderType> type = shaderType(first.text))
       return parseShader(*type);
+    if (first.text == "class" || first.text == "struct") {
+      diags
+          .error(peek(1).end, first.text == "class"
+                                  ? "expected '(' and a class's parameters; there is no inheritance"
+                                  : "expected '{' behind the name of a structure")
+          .range(peek(1).range());
+      return skipToDeclaration();
+    }
     diags
-        .error(first.loc, "unknown kind of shader '" + first.text + "'" +
-                              didYouMean(first.text, {"surface", "displacement", "light", "volume",
-                                                      "imager", "void", "float", "color", "point",
-                                                      "vector", "normal", "matrix", "string"}))
+        .error(first.loc,
+               "unknown kind of shader '" + first.text + "'" +
+                   didYouMean(first.text, {"surface", "displacement", "light", "volume", "imager",
+                                           "class", "struct", "void", "float", "color", "point",
+                                           "vector", "normal", "matrix", "string"}))
         .range(first.range());
     return skipToDeclaration();
   }

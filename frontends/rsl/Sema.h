@@ -167,6 +167,7 @@ private:
   bool reportMember(BinaryExpr &dot);
   Expr *checkComparison(BinaryExpr &binary);
   Expr *checkConditional(ConditionalExpr &conditional, TypeKind hint);
+  Expr *chooseWhole(ConditionalExpr &conditional);
   Expr *checkAssign(AssignExpr &assign);
   Expr *checkTuple(TupleExpr &tuple, TypeKind hint);
   Expr *checkCast(CastExpr &cast);

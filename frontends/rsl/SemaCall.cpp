@@ -91,7 +91,8 @@ Type Sema::probeInner(Expr *expr) {
     Type a = probe(conditional->whenTrue), b = probe(conditional->whenFalse);
     if (a.isError() || b.isError())
       return a.isTriple() ? a : b.isTriple() ? b : Type();
-    return a.is(TypeKind::String) ? a : Type{combinedKind(BinaryOp::Add, a, b)};
+    bool isWhole = a.structure || a.isArray();
+    return isWhole || a.is(TypeKind::String) ? a : Type{combinedKind(BinaryOp::Add, a, b)};
   }
   case ExprKind::Assign:
     return probe(cast<AssignExpr>(expr)->target);
@@ -165,7 +166,11 @@ std::vector<Sema::Candidate> Sema::candidates(const CallExpr &call) {
   StringRef name = call.name;
   std::vector<Candidate> found;
   if (call.object) {
-    const StructDecl *owner = isThis(call.object) ? structure : probe(call.object).structure;
+    // What has been checked may be several steps, which probe() does not know.
+    const StructDecl *checked = call.object->type.structure;
+    const StructDecl *owner = isThis(call.object) ? structure
+                              : checked           ? checked
+                                                  : probe(call.object).structure;
     if (owner)
       for (FunctionDecl *method : owner->methods)
         if (method->name == name)
@@ -401,6 +406,9 @@ Expr *Sema::checkCall(CallExpr &given, TypeKind hint) {
     checkNamed(*call, *chosen->builtin->named, varying, bad);
   } else {
     for (Expr *&value : call->rest) {
+      // directlighting(this, …), which looks at no argument here.
+      if (isThis(value) && structure && structure->isClass)
+        value = ast.make<NameExpr>(value->range, "null");
       value = check(value);
       bad |= value->type.isError();
       call->hasEffects |= value->hasEffects;

@@ -380,6 +380,9 @@ Expr *Sema::checkConditional(ConditionalExpr &conditional, TypeKind hint) {
                            conditional.whenFalse->hasEffects;
   if (a.isError() || b.isError() || conditional.condition->type.isError())
     return failed(&conditional);
+  bool isWhole = a.structure || a.isArray();
+  if (isWhole && conversionCost(a, b) == 0 && a.length == b.length && !a.isResizable)
+    return chooseWhole(conditional);
   bool isText = a.is(TypeKind::String) || a.is(TypeKind::Shader);
   TypeKind kind = isText && b.is(a.kind) ? a.kind
                   : a.is(TypeKind::Bool) && b.is(TypeKind::Bool)
@@ -397,6 +400,26 @@ Expr *Sema::checkConditional(ConditionalExpr &conditional, TypeKind hint) {
   conditional.whenFalse = convert(conditional.whenFalse, {kind, b.varying}, "a value of '?:'");
   conditional.type = {kind, a.varying || b.varying || conditional.condition->type.varying};
   return &conditional;
+}
+
+/// Of structures and arrays each side assigns to the variable that is the result.
+Expr *Sema::chooseWhole(ConditionalExpr &conditional) {
+  Type type = conditional.whenTrue->type.withVarying(true);
+  SMLoc loc = conditional.loc;
+  NameExpr *result = hiddenVariable(type, conditional.range);
+  for (Expr **side : {&conditional.whenTrue, &conditional.whenFalse}) {
+    SMRange range = (*side)->range;
+    SmallVector<Expr *, 2> steps;
+    Expr *value = splitSteps(*side, steps);
+    steps.push_back(type.structure ? assignStruct(result, value, loc, range)
+                                   : assignment(result, value, loc));
+    auto *none = ast.make<NumberExpr>(range, 0.0);
+    none->type = {TypeKind::Float};
+    *side = sequence(steps, none, range);
+  }
+  conditional.type = {TypeKind::Float, true};
+  conditional.hasEffects = true;
+  return sequence(&conditional, result, conditional.range);
 }
 
 Expr *Sema::checkTuple(TupleExpr &tuple, TypeKind hint) {
@@ -526,7 +549,7 @@ void Sema::checkTarget(Expr *target, bool valueVaries, SMLoc loc, StringRef how)
                    "'" + decl.name + "' is read-only; the assignment changes the shader's own copy")
           .range(target->range);
   }
-  if (!decl.type.varying && decl.kind == VarKind::Local &&
+  if (!decl.type.varying && decl.kind == VarKind::Local && !decl.isHidden &&
       varyingConditions.size() > decl.branches) {
     const Expr *condition = varyingConditions.back();
     diags

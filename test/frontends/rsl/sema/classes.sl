@@ -23,3 +23,14 @@ class nothing() {                // expected-warning {{class 'nothing' has no me
 }
 
 surface good() { Ci = 1; }       // expected-error {{redefinition of shader 'good'}} expected-note@-22 {{previously defined here}}
+class plain {                    // expected-error {{expected '(' and a class's parameters; there is no inheritance}}
+  float x = 1;
+}
+clas misspelt() { }              // expected-error {{unknown kind of shader 'clas'; did you mean 'class'?}}
+class lit() {
+  public void surface(output color Ci, Oi) {
+    color d = 0;
+    Ci = directlighting(this, getlights(), "diffuseresult", d);
+    shader s = this;             // expected-error {{unknown variable 'this'}}
+  }
+}

@@ -35,6 +35,7 @@ surface structs(float f = 1) {
   p = Pair(s);              // expected-error {{member 'x' of 'Pair', which is uniform: the value is varying}}
   p = Pair("x", 1, "z", 2); // expected-error {{expected the name of a member of 'Pair'}}
   p = Pair("a");            // expected-error {{member 'x' of 'Pair': a value of type 'string' is no 'float'}}
+  p = f > 0 ? p : o;        // expected-error {{the two values of '?:' are of types 'Pair' and 'Other'}}
   Ci = first(o);            // expected-error {{no function 'first' takes (Other)}}
   Ci = p + q;               // expected-error {{'+' does not take 'Pair' and 'Pair'}}
   if (p == q) Ci = 1;       // expected-error {{'==' does not compare 'Pair' and 'Pair'}}
