@@ -8,6 +8,7 @@
 #include "lib/Rib/RibState.h"
 
 #include <algorithm>
+#include <numeric>
 
 using namespace anysl::render;
 
@@ -123,6 +124,27 @@ void RibState::patchMesh(RibArguments &arguments) {
   addPatches(std::move(shape), arguments);
 }
 
+namespace {
+
+/// Leaves of the part that is drawn what the knots reach; what is wrong, or nothing.
+std::string clipToKnots(NurbsShape::Direction &direction, const std::string &what,
+                        const std::string &where) {
+  auto &[count, order, knots, min, max] = direction;
+  if (order < 2 || order > 64 || count < order)
+    return std::to_string(count) + " control points" + where + " do not make a " + what +
+           " of order " + std::to_string(order);
+  if (knots.size() != size_t(count) + order)
+    return "expected " + std::to_string(size_t(count) + order) + " knots" + where + ", found " +
+           std::to_string(knots.size());
+  if (!std::is_sorted(knots.begin(), knots.end()))
+    return "the knots" + where + " decrease";
+  min = std::max(min, knots[order - 1]);
+  max = std::min(max, knots[count]);
+  return min < max ? "" : "nothing of the " + what + " lies between its ends" + where;
+}
+
+} // namespace
+
 void RibState::nuPatch(RibArguments &arguments) {
   NurbsShape shape;
   for (NurbsShape::Direction *direction : {&shape.u, &shape.v}) {
@@ -133,23 +155,11 @@ void RibState::nuPatch(RibArguments &arguments) {
     direction->max = arguments.number("where the surface ends");
   }
   ParameterList variables = arguments.parameters();
-  for (NurbsShape::Direction *direction : {&shape.u, &shape.v}) {
-    std::string where = direction == &shape.u ? " in u" : " in v";
-    auto &[count, order, knots, min, max] = *direction;
-    if (order < 2 || order > 64 || count < order)
-      throw ShapeError(arguments.where(), std::to_string(count) + " control points" + where +
-                                              " do not make a surface of order " +
-                                              std::to_string(order));
-    if (knots.size() != size_t(count) + order)
-      throw ShapeError(arguments.where(), "expected " + std::to_string(count + order) + " knots" +
-                                              where + ", found " + std::to_string(knots.size()));
-    if (!std::is_sorted(knots.begin(), knots.end()))
-      throw ShapeError(arguments.where(), "the knots" + where + " decrease");
-    min = std::max(min, knots[order - 1]);
-    max = std::min(max, knots[count]);
-    if (!(min < max))
-      throw ShapeError(arguments.where(), "nothing of the surface lies between its ends" + where);
-  }
+  for (NurbsShape::Direction *direction : {&shape.u, &shape.v})
+    if (std::string fault =
+            clipToKnots(*direction, "surface", direction == &shape.u ? " in u" : " in v");
+        !fault.empty())
+      throw ShapeError(arguments.where(), fault);
   size_t points = size_t(shape.u.count) * shape.v.count;
   checkPositions(variables, points, arguments);
   if (const Parameter *weighted = findParameter(variables, "Pw"))
@@ -158,12 +168,63 @@ void RibState::nuPatch(RibArguments &arguments) {
         throw ShapeError(weighted->where, "\"Pw\": a weight is not positive");
   VariableCounts counts =
       VariableCounts::ofPatches(shape.u.segments(), shape.v.segments(), false, false, points);
+  shape.trims = state.trims;
+  if (const auto &attributes = state.appearance.attributes)
+    if (auto sense = attributes->find("trimcurve:sense"); sense != attributes->end())
+      shape.isOutsideTrims = sense->second.strings == std::vector<std::string>{"outside"};
   addShape(std::move(shape), std::move(variables), counts, arguments);
 }
 
 void RibState::trimCurve(RibArguments &arguments) {
-  while (!arguments.empty())
-    arguments.array("numbers");
-  warnings.warnOnce("TrimCurve", arguments.where(),
-                    "TrimCurve has no effect: the NuPatch that follows is shown whole");
+  std::vector<uint32_t> loops = arguments.indices("the numbers of curves");
+  std::vector<uint32_t> orders = arguments.indices("the orders");
+  std::vector<double> knots = arguments.array("the knots");
+  std::vector<double> mins = arguments.array("where the curves begin");
+  std::vector<double> maxs = arguments.array("where the curves end");
+  std::vector<uint32_t> counts = arguments.indices("the numbers of control points");
+  std::array<std::vector<double>, 3> points;
+  for (size_t k = 0; k < 3; ++k)
+    points[k] = arguments.array("u, v and w of the control points");
+
+  auto fail = [&](const std::string &what) {
+    throw UserError(arguments.where(), "TrimCurve: " + what);
+  };
+  auto expect = [&](const char *what, size_t expected, size_t found) {
+    if (found != expected)
+      fail("expected " + std::to_string(expected) + " " + what + ", found " +
+           std::to_string(found));
+  };
+  size_t curves = std::accumulate(loops.begin(), loops.end(), size_t(0));
+  expect("orders", curves, orders.size());
+  expect("beginnings", curves, mins.size());
+  expect("ends", curves, maxs.size());
+  expect("numbers of control points", curves, counts.size());
+  size_t total = std::accumulate(counts.begin(), counts.end(), size_t(0));
+  for (const std::vector<double> &each : points)
+    expect("control points", total, each.size());
+  expect("knots", std::accumulate(orders.begin(), orders.end(), total), knots.size());
+
+  std::vector<NurbsShape::TrimLoop> trims;
+  size_t curve = 0, point = 0;
+  auto knot = knots.begin();
+  for (uint32_t ofLoop : loops) {
+    NurbsShape::TrimLoop &loop = trims.emplace_back();
+    for (uint32_t i = 0; i < ofLoop; ++i, ++curve) {
+      NurbsShape::Direction direction{counts[curve], orders[curve], {}, mins[curve], maxs[curve]};
+      auto end = knot + std::ptrdiff_t(direction.count + size_t(direction.order));
+      direction.knots.assign(knot, end);
+      knot = end;
+      if (std::string fault = clipToKnots(direction, "curve", ""); !fault.empty())
+        fail(fault);
+      loop.push_back({std::move(direction), {}});
+      for (uint32_t k = 0; k < counts[curve]; ++k, ++point) {
+        if (!(points[2][point] > 0))
+          fail("a weight is not positive");
+        loop.back().points.push_back({points[0][point], points[1][point], points[2][point]});
+      }
+    }
+  }
+  state.trims = trims.empty()
+                    ? nullptr
+                    : std::make_shared<const std::vector<NurbsShape::TrimLoop>>(std::move(trims));
 }

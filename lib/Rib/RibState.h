@@ -58,6 +58,7 @@ private:
     Matrix4 transform = Matrix4::identity(); ///< object to camera
     bool lightShadows = true;
     Basis basisU = Basis::bezier, basisV = Basis::bezier;
+    std::shared_ptr<const std::vector<NurbsShape::TrimLoop>> trims; ///< null: none
     int areaLight = -1;     ///< the light that shapes belong to: an index into the scene's, or -1
     double detail = 0;      ///< of the bound that Detail has stated, in pixels; 0: none
     bool isLeftOut = false; ///< DetailRange says that another version of it is seen

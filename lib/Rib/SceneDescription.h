@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -152,7 +153,16 @@ struct NurbsShape {
     double min = 0, max = 1;       ///< the part that is drawn
     uint32_t segments() const { return count - order + 1; }
   };
+  /// A curve in the surface's parameters, as the knots count them.
+  struct TrimCurve {
+    Direction direction;
+    std::vector<std::array<double, 3>> points; ///< u and v times their weight, and the weight
+  };
+  using TrimLoop = std::vector<TrimCurve>; ///< closed: each curve ends where the next one begins
   Direction u, v;
+  /// What lies within an odd number of these is there, or what does not; null: all is.
+  std::shared_ptr<const std::vector<TrimLoop>> trims = nullptr;
+  bool isOutsideTrims = false;
   DrawnFaces drawn = {}; ///< segments, row by row
 };
 

@@ -31,24 +31,40 @@ RTCGeometry Mesh::make(RTCDevice device) {
                              0, sizeof(Vec3f), points.size() - 1);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
                              0, sizeof(triangles[0]), triangles.size());
-  if (!placement.oneSided)
+  if (!placement.oneSided && !trim)
     return geometry;
   rtcSetGeometryUserData(geometry, this);
   auto filter = [](const RTCFilterFunctionNArguments *a) {
     const auto &mesh = *static_cast<const Mesh *>(a->geometryUserPtr);
-    for (unsigned i = 0; i < a->N; ++i) {
-      const auto &corner = mesh.triangles[RTCHitN_primID(a->hit, a->N, i)];
-      Vec3d p(mesh.points[corner[0]]);
-      Vec3d normal = cross(Vec3d(mesh.points[corner[1]]) - p, Vec3d(mesh.points[corner[2]]) - p);
-      Vec3d direction(RTCRayN_dir_x(a->ray, a->N, i), RTCRayN_dir_y(a->ray, a->N, i),
-                      RTCRayN_dir_z(a->ray, a->N, i));
-      if (a->valid[i] && dot(normal, direction) * mesh.placement.normalSign > 0)
+    for (unsigned i = 0; i < a->N; ++i)
+      if (a->valid[i] &&
+          !mesh.isSolid(RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
+                        RTCHitN_v(a->hit, a->N, i),
+                        {RTCRayN_dir_x(a->ray, a->N, i), RTCRayN_dir_y(a->ray, a->N, i),
+                         RTCRayN_dir_z(a->ray, a->N, i)}))
         a->valid[i] = 0;
-    }
   };
   rtcSetGeometryIntersectFilterFunction(geometry, filter);
   rtcSetGeometryOccludedFilterFunction(geometry, filter);
   return geometry;
+}
+
+bool Mesh::isSolid(uint32_t triangle, float u, float v, Vec3d direction) const {
+  if (placement.oneSided) {
+    const auto &corner = triangles[triangle];
+    Vec3d p(points[corner[0]]);
+    Vec3d normal = cross(Vec3d(points[corner[1]]) - p, Vec3d(points[corner[2]]) - p);
+    if (dot(normal, direction) * placement.normalSign > 0)
+      return false;
+  }
+  if (!trim)
+    return true;
+  const auto &a = parameters[index(Domain::Corner, triangle, 0)],
+             &b = parameters[index(Domain::Corner, triangle, 1)],
+             &c = parameters[index(Domain::Corner, triangle, 2)];
+  double wa = 1.0 - u - v;
+  return trim->contains(a[0] * wa + b[0] * double(u) + c[0] * double(v),
+                        a[1] * wa + b[1] * double(u) + c[1] * double(v));
 }
 
 size_t Mesh::index(Domain domain, uint32_t triangle, size_t corner) const {

@@ -9,6 +9,7 @@
 #define ANYSL_RENDER_MESH_H
 
 #include "tools/anysl-render/Surface.h"
+#include "tools/anysl-render/TrimRegion.h"
 
 namespace anysl::render {
 
@@ -50,8 +51,11 @@ public:
   Variable normals;                               ///< shading normals; no values: none
   std::vector<std::array<float, 2>> parameters; ///< u and v by corner; none: x and y of the object
   std::vector<Vec3f> dPdu, dPdv;                ///< by corner, if there are parameters
+  std::optional<TrimRegion> trim;               ///< where in its parameters the surface is
 
 private:
+  /// Whether a ray that meets a triangle meets a side and a part of it that are there.
+  bool isSolid(uint32_t triangle, float u, float v, Vec3d direction) const;
   /// The three values of a variable's component at a triangle's corners.
   Vec3d atCorners(const Variable &variable, uint32_t component, uint32_t triangle) const;
   size_t index(Domain domain, uint32_t triangle, size_t corner) const;

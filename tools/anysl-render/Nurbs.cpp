@@ -49,6 +49,13 @@ public:
   std::vector<double> value, derivative;
 };
 
+/// Where in a segment, as far as it is drawn, x is, as the knots count.
+double place(const NurbsShape::Direction &d, uint32_t segment, double x) {
+  double begin = std::clamp(d.knots[segment + d.order - 1], d.min, d.max);
+  double end = std::clamp(d.knots[segment + d.order], d.min, d.max);
+  return begin + (end - begin) * x;
+}
+
 class NurbsGrid : public PatchGrid {
 public:
   NurbsGrid(const NurbsShape &shape, ControlPoints points)
@@ -98,22 +105,51 @@ public:
   }
 
 private:
-  /// Where in a segment, as far as it is drawn, x is, as the knots count.
-  static double place(const NurbsShape::Direction &d, uint32_t segment, double x) {
-    double begin = std::clamp(d.knots[segment + d.order - 1], d.min, d.max);
-    double end = std::clamp(d.knots[segment + d.order], d.min, d.max);
-    return begin + (end - begin) * x;
-  }
-
   const NurbsShape &shape;
   ControlPoints points;
 };
 
 } // namespace
 
+namespace {
+
+/// Puts a curve's points at the end of an outline, in parameters that run from 0 to 1 over the part
+/// of the surface that is drawn: its ends, and between them as many in each piece as make a bent
+/// curve look like one.
+void append(const NurbsShape &shape, const NurbsShape::TrimCurve &curve,
+            TrimRegion::Outline &outline) {
+  const NurbsShape::Direction &d = curve.direction;
+  uint32_t steps = d.order > 2 ? 64 : 1;
+  for (uint32_t segment = 0; segment < d.segments(); ++segment) {
+    double begin = place(d, segment, 0), end = place(d, segment, 1);
+    for (uint32_t step = 0; begin < end && step <= steps; ++step) {
+      Splines splines(d, segment, begin + (end - begin) * step / steps);
+      double u = 0, v = 0, w = 0;
+      for (uint32_t k = 0; k < d.order; ++k) {
+        const auto &[pu, pv, pw] = curve.points[splines.first + k];
+        u += splines.value[k] * pu, v += splines.value[k] * pv, w += splines.value[k] * pw;
+      }
+      outline.push_back({(u / w - shape.u.min) / (shape.u.max - shape.u.min),
+                         (v / w - shape.v.min) / (shape.v.max - shape.v.min)});
+    }
+  }
+}
+
+} // namespace
+
 std::unique_ptr<Mesh> anysl::render::tessellate(const NurbsShape &shape,
                                                 const ParameterList &variables,
                                                 const Placement &placement, const Dicing &dicing) {
-  return dice(NurbsGrid(shape, ControlPoints(variables, placement.toCamera)), variables, placement,
-              dicing);
+  std::unique_ptr<Mesh> mesh = dice(NurbsGrid(shape, ControlPoints(variables, placement.toCamera)),
+                                    variables, placement, dicing);
+  if (shape.trims) {
+    std::vector<TrimRegion::Outline> outlines;
+    for (const NurbsShape::TrimLoop &loop : *shape.trims) {
+      outlines.emplace_back();
+      for (const NurbsShape::TrimCurve &curve : loop)
+        append(shape, curve, outlines.back());
+    }
+    mesh->trim.emplace(outlines, shape.isOutsideTrims);
+  }
+  return mesh;
 }

@@ -299,6 +299,119 @@ TEST_CASE("wrong patches are left out", "[patch]") {
   check("NuPatch 2 2 [0 0 1 1] 0 1 2 2 [0 1 0 1] 0 1 \"P\" []", "the knots in v decrease");
   check("NuPatch 2 2 [0 0 1 1] 2 3 2 2 [0 0 1 1] 0 1 \"P\" []",
         "nothing of the surface lies between");
-  check("TrimCurve [1] [3] [0 0 0 1 1 1] [0] [1] [3] [0 1 2] [0 1 2] [1 1 1]",
-        "TrimCurve has no effect");
+}
+
+namespace {
+
+/// The square from (-1, -1) to (1, 1) at z = 2, whose parameters run from 2 to 6 and from 10 to 14,
+/// trimmed.
+std::string trimmed(const std::string &curves) {
+  return "WorldBegin Translate 0 0 2 " + curves +
+         " NuPatch 2 2 [2 2 6 6] 2 6 2 2 [10 10 14 14] 10 14 "
+         "\"P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] WorldEnd";
+}
+/// The circle of radius 1 about the middle of those parameters, of x^2 + y^2 <= 1/4: quadratic arcs
+/// that weights make round, and a square of four lines round the whole, 0.2 from its edges.
+std::string circleNumbers() {
+  const double h = std::sqrt(0.5);
+  const double arcs[9][3] = {{1, 0, 1},   {1, 1, h},  {0, 1, 1},  {-1, 1, h}, {-1, 0, 1},
+                             {-1, -1, h}, {0, -1, 1}, {1, -1, h}, {1, 0, 1}};
+  std::vector<double> u, v, w;
+  for (const auto &[x, y, weight] : arcs) {
+    u.push_back((4 + x) * weight);
+    v.push_back((12 + y) * weight);
+    w.push_back(weight);
+  }
+  auto inner = [](const std::vector<double> &numbers) {
+    std::string text = list(numbers);
+    return text.substr(1, text.size() - 2);
+  };
+  return inner(u) + "|" + inner(v) + "|" + inner(w);
+}
+std::string circle(const std::string &loops = "1", const std::string &orders = "3",
+                   const std::string &knots = "0 0 0 1 1 2 2 3 3 4 4 4",
+                   const std::string &mins = "0", const std::string &maxs = "4",
+                   const std::string &counts = "9", const std::string &u = "",
+                   const std::string &v = "", const std::string &w = "") {
+  std::string numbers = circleNumbers();
+  size_t first = numbers.find('|'), second = numbers.rfind('|');
+  return "TrimCurve [" + loops + "] [" + orders + "] [" + knots + "] [" + mins + "] [" + maxs +
+         "] [" + counts + "] [" + numbers.substr(0, first) + u + "] [" +
+         numbers.substr(first + 1, second - first - 1) + v + "] [" + numbers.substr(second + 1) +
+         w + "]";
+}
+/// The circle within a square of four lines, each a curve of the second loop, 0.8 from the middle.
+std::string circleInSquare() {
+  return circle("1 4", "3 2 2 2 2", "0 0 0 1 1 2 2 3 3 4 4 4  0 0 1 1  0 0 1 1  0 0 1 1  0 0 1 1",
+                "0 0 0 0 0", "4 1 1 1 1", "9 2 2 2 2", "2.4 5.6  5.6 5.6  5.6 2.4  2.4 2.4",
+                "10.4 10.4  10.4 13.6  13.6 13.6  13.6 10.4", "1 1 1 1 1 1 1 1");
+}
+
+/// How many of many places are seen or not other than a rule says.
+template <typename Rule>
+int wrongPlaces(const TestScene &scene, const Rule &rule) {
+  int wrong = 0;
+  for (uint32_t i = 0; i < 20000; ++i) {
+    double x = 2 * unitNumber(hash(i, 1)) - 1, y = 2 * unitNumber(hash(i, 2)) - 1;
+    wrong += scene.look({x, y, 2}).has_value() != rule(x, y);
+  }
+  return wrong;
+}
+
+} // namespace
+
+TEST_CASE("trim curves leave what is within an odd number of loops", "[patch]") {
+  auto inCircle = [](double x, double y) { return x * x + y * y < 0.25; };
+  auto inSquare = [](double x, double y) { return std::max(std::fabs(x), std::fabs(y)) < 0.8; };
+  // The chords of the circle miss less than 1e-4 of its radius: two places of 20000 at most.
+  TestScene disk(trimmed(circle()));
+  CHECK(disk.warnings.count() == 0);
+  CHECK(wrongPlaces(disk, inCircle) <= 2);
+  // Parameters are those of the whole surface.
+  CHECK(disk.look({0.25, -0.25, 2})->frame.u == Approx(0.625));
+  TestScene ring(trimmed(circleInSquare()));
+  CHECK(wrongPlaces(ring, [&](double x, double y) { return inSquare(x, y) && !inCircle(x, y); }) <=
+        2);
+  TestScene hole(trimmed("Attribute \"trimcurve\" \"sense\" [\"outside\"] " + circle()));
+  CHECK(hole.warnings.count() == 0);
+  CHECK(wrongPlaces(hole, [&](double x, double y) { return !inCircle(x, y); }) <= 2);
+  // A part of the circle, from angle 0 to half a turn, is closed by a line.
+  TestScene half(trimmed(circle("1", "3", "0 0 0 1 1 2 2 3 3 4 4 4", "0", "2")));
+  CHECK(wrongPlaces(half, [&](double x, double y) { return inCircle(x, y) && y > 0; }) <= 2);
+  // Shadow rays as well.
+  Ray through;
+  through.direction = Vec3f(0, 0, 1);
+  CHECK_FALSE(ring.shoot(through, OpaqueShadowRays).isHit());
+  // Trim curves are attributes; none ends them.
+  TestScene ended(trimmed("AttributeBegin " + circle() + " AttributeEnd"));
+  CHECK(wrongPlaces(ended, [](double, double) { return true; }) == 0);
+  TestScene none(trimmed(circle() + " TrimCurve [] [] [] [] [] [] [] [] []"));
+  CHECK(wrongPlaces(none, [](double, double) { return true; }) == 0);
+}
+
+TEST_CASE("wrong trim curves are errors", "[patch]") {
+  auto check = [](const std::string &curve, const std::string &message) {
+    INFO(curve);
+    std::string found;
+    try {
+      TestScene scene(trimmed(curve));
+    } catch (const UserError &error) {
+      found = error.message;
+    }
+    CHECK(found == "TrimCurve: " + message);
+  };
+  check("TrimCurve [1] [3] [0 0 0 1 1 1] [0] [1] [3] [0 1 2] [0 1] [1 1 1]",
+        "expected 3 control points, found 2");
+  check("TrimCurve [2] [3] [0 0 0 1 1 1] [0] [1] [3] [0 1 2] [0 1 2] [1 1 1]",
+        "expected 2 orders, found 1");
+  check("TrimCurve [1] [3] [0 0 0 1 1] [0] [1] [3] [0 1 2] [0 1 2] [1 1 1]",
+        "expected 6 knots, found 5");
+  check("TrimCurve [1] [3] [0 0 0 1 1 0] [0] [1] [3] [0 1 2] [0 1 2] [1 1 1]",
+        "the knots decrease");
+  check("TrimCurve [1] [4] [0 0 0 1 1 1 1] [0] [1] [3] [0 1 2] [0 1 2] [1 1 1]",
+        "3 control points do not make a curve of order 4");
+  check("TrimCurve [1] [3] [0 0 0 1 1 1] [1] [1] [3] [0 1 2] [0 1 2] [1 1 1]",
+        "nothing of the curve lies between its ends");
+  check("TrimCurve [1] [3] [0 0 0 1 1 1] [0] [1] [3] [0 1 2] [0 1 2] [1 0 1]",
+        "a weight is not positive");
 }
