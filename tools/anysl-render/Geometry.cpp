@@ -143,6 +143,14 @@ void Geometry::attach(std::unique_ptr<SurfaceSet> set, unsigned mask) {
 
 //===-- Rays ----------------------------------------------------------------//
 
+/// Makes rays that are not valid such that they meet nothing: where the processor has no vectors of
+/// 16 numbers, Embree takes packets of 16 apart and looks at the rays alone.
+static void disable(const int *valid, RTCRay16 &rays) {
+  for (size_t i = 0; i < 16; ++i)
+    if (!valid[i])
+      rays.tnear[i] = 0, rays.tfar[i] = -1;
+}
+
 namespace anysl::render {
 
 template <unsigned W>
@@ -157,8 +165,10 @@ void Geometry::intersect(const int *valid, typename RayPacketType<W>::RayHit &ra
     rtcIntersect4(valid, scene, &context, &rays);
   else if constexpr (W == 8)
     rtcIntersect8(valid, scene, &context, &rays);
-  else
+  else {
+    disable(valid, rays.ray);
     rtcIntersect16(valid, scene, &context, &rays);
+  }
 }
 
 Hit Geometry::intersect(const Ray &ray, unsigned mask) const {
@@ -180,8 +190,10 @@ void Geometry::occluded(const int *valid, typename RayPacketType<W>::Ray &rays) 
     rtcOccluded4(valid, scene, &context, &rays);
   else if constexpr (W == 8)
     rtcOccluded8(valid, scene, &context, &rays);
-  else
+  else {
+    disable(valid, rays);
     rtcOccluded16(valid, scene, &context, &rays);
+  }
 }
 
 #define ANYSL_RENDER_WIDTH(W)                                                                      \

@@ -24,17 +24,6 @@ RayList::RayList(Arena &arena, uint32_t capacity) : capacity(capacity) {
     *array = arena.allocate<uint32_t>(size);
 }
 
-/// Lets lanes behind the last ray hold rays that end before they begin. Embree may look at a
-/// packet's lanes before it asks which are valid, where it traces a packet in parts.
-static void fillLastPacket(RayList &rays, unsigned width) {
-  for (uint32_t i = rays.count; i % width; ++i) {
-    for (int k = 0; k < 3; ++k)
-      rays.origin[k][i] = rays.direction[k][i] = 0;
-    rays.near[i] = 0;
-    rays.far[i] = -1;
-  }
-}
-
 void RayList::add(const Ray &ray, uint32_t toTarget) {
   for (int k = 0; k < 3; ++k) {
     origin[k][count] = ray.origin[k];
@@ -51,7 +40,6 @@ void RayList::add(const Ray &ray, uint32_t toTarget) {
 
 template <unsigned W>
 void anysl::render::findNearest(const Geometry &geometry, RayList &rays, unsigned mask) {
-  fillLastPacket(rays, W);
   for (uint32_t first = 0; first < rays.count; first += W) {
     uint32_t count = std::min(W, rays.count - first);
     if (W == 1 || count == 1) {
@@ -98,7 +86,6 @@ void anysl::render::findNearest(const Geometry &geometry, RayList &rays, unsigne
 
 template <unsigned W>
 void anysl::render::findBlocked(const Geometry &geometry, RayList &rays) {
-  fillLastPacket(rays, W);
   for (uint32_t first = 0; first < rays.count; first += W) {
     uint32_t count = std::min(W, rays.count - first);
     if (W == 1 || count == 1) {
