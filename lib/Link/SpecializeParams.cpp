@@ -157,7 +157,7 @@ void construct(OperatorWriter &writer, Value *slot, stc::Type type, const FixedV
 void specializeCall(CallInst &call, const stc::OpInfo &op, const FixedValue &value,
                     OperatorWriter &writer) {
   auto kind = idKind(op);
-  if (!kind || *kind == stc::IdKind::Global)
+  if (kind != stc::IdKind::Param && kind != stc::IdKind::Cell)
     return;
   const stc::ParamInfo &param = value.shader->info.params[value.param];
   // The table puts the number behind the context.
