@@ -8,6 +8,8 @@
 #include "tools/anysl-render/AreaLights.h"
 
 #include "lib/Rib/PrimitiveVariables.h"
+#include "tools/anysl-render/PointSet.h"
+#include "tools/anysl-render/Tessellate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,7 @@ namespace {
 
 constexpr unsigned gridSide = 4;     ///< samples of a quadric along u and v
 constexpr size_t mostSubdivided = 8; ///< triangles in a shape, for four samples each
+constexpr size_t most = 32;          ///< samples of a shape that has more triangles, or points
 constexpr double radians = std::numbers::pi / 180;
 
 /// The point (u, v) of a quadric in its own space, as the RenderMan Interface defines them.
@@ -57,8 +60,8 @@ Vec3d pointOf(const QuadricShape &shape, double u, double v) {
 
 class Sampler {
 public:
-  Sampler(const Shape &shape, const Appearance &appearance)
-      : shape(shape), placement(shape.objectToCamera, appearance) {}
+  Sampler(const Shape &shape, const Appearance &appearance, const Camera &camera)
+      : shape(shape), camera(camera), placement(shape.objectToCamera, appearance) {}
 
   std::vector<AreaSample> samples;
 
@@ -71,65 +74,103 @@ public:
               pointOf(quadric, (i + 0.5) * step + du, (j + 0.5) * step + dv));
         };
         Vec3d byU = at(near, 0) - at(-near, 0), byV = at(0, near) - at(0, -near);
-        put(at(0, 0), cross(byU, byV));
+        Vec3d normal = cross(byU, byV) * placement.normalSign;
+        put(at(0, 0), normal, length(normal));
       }
   }
 
-  void add(const PolygonShape &polygons) {
-    std::vector<Vec3d> points = positions(shape.variables);
-    for (Vec3d &p : points)
-      p = placement.toCamera.point(p);
-    size_t triangles = 0;
-    for (uint32_t count : polygons.vertexCounts)
-      triangles += count < 3 ? 0 : count - 2;
-    size_t loop = 0, vertex = 0;
-    for (uint32_t loops : polygons.loopCounts)
-      for (uint32_t i = 0; i < loops; ++i) {
-        uint32_t count = polygons.vertexCounts[loop++];
-        // Holes are small beside what they are in.
-        for (uint32_t k = 2; i == 0 && k < count; ++k)
-          addTriangle(points[polygons.vertices[vertex]], points[polygons.vertices[vertex + k - 1]],
-                      points[polygons.vertices[vertex + k]], triangles <= mostSubdivided);
-        vertex += count;
-      }
+  /// Spheres have points all round, of equal areas; discs one in the middle.
+  void add(const PointsShape &) {
+    const PointSet set(shape.variables, placement);
+    const size_t count = set.vertices.size();
+    const size_t each =
+        set.normals.empty() ? std::max<size_t>(1, most / std::max<size_t>(1, count)) : 1;
+    const size_t drawn = std::min(count, most);
+    for (size_t i = 0; i < drawn; ++i) {
+      const size_t point = i * count / drawn;
+      const auto [x, y, z, radius] = set.vertices[point];
+      const double area = std::numbers::pi * radius * radius * double(count) / double(drawn);
+      for (size_t k = 0; k < each; ++k)
+        if (set.normals.empty()) {
+          Vec3d direction = onSphere(i * each + k, drawn * each);
+          put(Vec3d(x, y, z) + direction * double(radius), direction, 4 * area / double(each));
+        } else {
+          put(Vec3d(x, y, z), Vec3d(set.normals[point]), area);
+        }
+    }
   }
 
-  /// Of other shapes the middle of what they are given by.
+  /// Of other shapes facets: their middles, or places spread evenly over many.
   template <class Other>
   void add(const Other &) {
-    std::vector<Vec3d> points = positions(shape.variables);
-    Vec3d sum;
-    for (Vec3d p : points)
-      sum = sum + placement.toCamera.point(p);
-    if (!points.empty())
-      samples.push_back({sum * (1. / double(points.size())), Vec3d(), 1});
+    const std::unique_ptr<Mesh> mesh = tessellate(shape, placement, Dicing(camera));
+    std::vector<Facet> facets;
+    double total = 0;
+    for (const auto &[a, b, c] : mesh->triangles) {
+      facets.push_back({Vec3d(mesh->points[a]), Vec3d(mesh->points[b]), Vec3d(mesh->points[c])});
+      if (double area = length(facets.back().normal()); area > 0 && std::isfinite(area))
+        total += area;
+      else
+        facets.pop_back();
+    }
+    if (facets.size() <= most) {
+      for (const Facet &facet : facets)
+        facets.size() <= mostSubdivided ? putParts(facet)
+                                        : putMiddle(facet, length(facet.normal()));
+      return;
+    }
+    double passed = 0; // the area of all facets before
+    for (const Facet &facet : facets) {
+      auto rank = [&](double area) { return std::floor(area / total * double(most) + 0.5); };
+      const double area = length(facet.normal());
+      if (rank(passed + area) > rank(passed))
+        putMiddle(facet, (rank(passed + area) - rank(passed)) * total / double(most));
+      passed += area;
+    }
   }
 
 private:
-  void addTriangle(Vec3d a, Vec3d b, Vec3d c, bool subdivide) {
-    Vec3d normal = cross(b - a, c - a) * 0.5;
-    if (!subdivide)
-      return put((a + b + c) * (1. / 3), normal);
-    Vec3d ab = (a + b) * 0.5, bc = (b + c) * 0.5, ca = (c + a) * 0.5;
-    for (const auto &part : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
-      put((part[0] + part[1] + part[2]) * (1. / 3), normal * 0.25);
+  struct Facet {
+    Vec3d a, b, c;
+    /// As long as it is large.
+    Vec3d normal() const { return cross(b - a, c - a) * 0.5; }
+    Vec3d middle() const { return (a + b + c) * (1. / 3); }
+  };
+
+  void putMiddle(const Facet &facet, double area) {
+    put(facet.middle(), facet.normal() * placement.normalSign, area);
   }
 
-  void put(Vec3d P, Vec3d normal) {
-    double area = length(normal);
-    if (area > 0 && std::isfinite(area) && isFinite(P))
-      samples.push_back({P, normal * (placement.normalSign / area), area});
+  void putParts(const Facet &facet) {
+    const auto &[a, b, c] = facet;
+    Vec3d ab = (a + b) * 0.5, bc = (b + c) * 0.5, ca = (c + a) * 0.5;
+    for (const Facet &part : {Facet{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+      putMiddle(part, length(part.normal()));
+  }
+
+  /// One of some directions that are spread evenly, on a spiral whose turns are golden sections.
+  static Vec3d onSphere(size_t number, size_t count) {
+    double z = 1 - (2 * double(number) + 1) / double(count), r = std::sqrt(1 - z * z);
+    double turn = 2 * std::numbers::pi * std::numbers::phi * double(number);
+    return Vec3d(r * std::cos(turn), r * std::sin(turn), z);
+  }
+
+  void put(Vec3d P, Vec3d normal, double area) {
+    double its = length(normal);
+    if (its > 0 && area > 0 && std::isfinite(its) && std::isfinite(area) && isFinite(P))
+      samples.push_back({P, normal * (1 / its), area});
   }
 
   const Shape &shape;
+  const Camera &camera;
   Placement placement;
 };
 
 } // namespace
 
-std::vector<AreaSample> anysl::render::areaSamples(const Shape &shape,
-                                                   const Appearance &appearance) {
-  Sampler sampler(shape, appearance);
+std::vector<AreaSample> anysl::render::areaSamples(const Shape &shape, const Appearance &appearance,
+                                                   const Camera &camera) {
+  Sampler sampler(shape, appearance, camera);
   std::visit([&](const auto &geometry) { sampler.add(geometry); }, shape.geometry);
   return std::move(sampler.samples);
 }

@@ -8,19 +8,21 @@
 #ifndef ANYSL_RENDER_AREALIGHTS_H
 #define ANYSL_RENDER_AREALIGHTS_H
 
-#include "lib/Rib/SceneDescription.h"
+#include "lib/Rib/Camera.h"
 
 namespace anysl::render {
 
 /// A point of a shape in camera space, and the area around it that it stands for.
 struct AreaSample {
-  Vec3d P, N; ///< N of unit length, or zero where it is not known
+  Vec3d P, N; ///< N of unit length
   double area;
 };
 
-/// Points spread over a shape: sixteen on a quadric, four on each triangle of a polygon, or one if
-/// the polygons are many; of other shapes the middle.
-std::vector<AreaSample> areaSamples(const Shape &shape, const Appearance &appearance);
+/// Points spread over a shape as the camera would see it: sixteen on a quadric; on polygons and on
+/// smooth surfaces, cut into triangles, four on each of a few, or 32 in all; on spheres and discs
+/// that are points 32 in all.
+std::vector<AreaSample> areaSamples(const Shape &shape, const Appearance &appearance,
+                                    const Camera &camera);
 
 } // namespace anysl::render
 

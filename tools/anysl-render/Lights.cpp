@@ -104,8 +104,15 @@ SceneLights::SceneLights(const SceneDescription &scene, const ShaderCache &cache
     : scene(scene) {
   useOf.resize(scene.lights.size());
   standard.resize(scene.lights.size());
+  samples.resize(scene.lights.size());
+  const Camera camera(scene.camera);
   for (uint32_t index : demand::usedLights(scene)) {
     const LightUse &light = scene.lights[index];
+    for (uint32_t number : light.shapes) {
+      const Shape &shape = scene.shapes[number];
+      auto its = areaSamples(shape, scene.appearances[shape.appearance], camera);
+      samples[index].insert(samples[index].end(), its.begin(), its.end());
+    }
     standard[index] = isStandardLight(light.name, cache);
     if (standard[index])
       continue;
@@ -243,15 +250,10 @@ void SceneLights::keepValues(AnyslLight &light, AnyslStandardLight values, Light
 }
 
 void SceneLights::spread(const LightUse &use, const AnyslLight &light, LightSet &set) const {
-  std::vector<AreaSample> samples;
+  const std::vector<AreaSample> &samples = this->samples[size_t(&use - scene.lights.data())];
   double area = 0;
-  for (uint32_t index : use.shapes) {
-    const Shape &shape = scene.shapes[index];
-    for (const AreaSample &sample : areaSamples(shape, scene.appearances[shape.appearance])) {
-      samples.push_back(sample);
-      area += sample.area;
-    }
-  }
+  for (const AreaSample &sample : samples)
+    area += sample.area;
   bool isShader = light.kind == ANYSL_LIGHT_SHADER;
   AnyslStandardLight values = {};
   if (!isShader)

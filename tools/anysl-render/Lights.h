@@ -9,6 +9,7 @@
 #define ANYSL_RENDER_LIGHTS_H
 
 #include "lib/Demand/Demand.h"
+#include "tools/anysl-render/AreaLights.h"
 #include "tools/anysl-render/Shaders.h"
 
 #include <memory>
@@ -71,6 +72,7 @@ private:
   std::vector<std::unique_ptr<ShaderUse>> useOf; ///< by light; null: no light shader
   std::vector<std::unique_ptr<Shader>> shaderOf; ///< by light
   std::vector<bool> standard;                    ///< by light
+  std::vector<std::vector<AreaSample>> samples;  ///< by light, of its shapes
   std::vector<const ShaderUse *> uses;
 };
 
