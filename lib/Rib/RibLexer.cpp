@@ -9,6 +9,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 using namespace anysl::render;
 
@@ -114,10 +115,12 @@ RibToken RibLexer::numberToken() {
     ++begin;
   auto [rest, error] = std::from_chars(begin, end, token.number);
   if (error == std::errc::result_out_of_range)
+    token.number = std::strtod(begin, nullptr); // too small is 0, or nearly
+  if (error == std::errc::result_out_of_range && std::isinf(token.number))
     throw UserError(location(token.offset), "a number beyond what a double can hold");
   bool ended = rest == end || isSpace(*rest) || *rest == '[' || *rest == ']' || *rest == '#' ||
                *rest == '"' || static_cast<unsigned char>(*rest) >= 0x80;
-  if (error != std::errc() || !ended || !std::isfinite(token.number))
+  if (error == std::errc::invalid_argument || !ended || !std::isfinite(token.number))
     throw UserError(location(token.offset), "this is not a number");
   position = size_t(rest - text.data());
   return token;

@@ -88,7 +88,8 @@ void RibState::display(RibArguments &arguments) {
 void RibState::displayChannel(RibArguments &arguments) {
   std::string text = arguments.string("a channel"), name = text;
   arguments.parameters();
-  if (text.find(' ') != text.npos) {
+  // Some writers put a blank before a standard channel's name.
+  if (text.find(' ', text.find_first_not_of(' ')) != text.npos) {
     Declaration declaration = parseDeclaration(text, &name, arguments.where());
     declarations.insert_or_assign(name, declaration);
   }

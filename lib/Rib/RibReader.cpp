@@ -35,6 +35,8 @@ RibArgument readArray(RibLexer &lexer, size_t begin) {
       throw UserError(lexer.location(token.offset), "expected a number, a string or ']'");
     case RibToken::End:
       throw UserError(argument.where, "an array without its closing ']'");
+    case RibToken::Nothing: // which the lexer keeps for itself
+      break;
     }
     if (!argument.numbers.empty() && !argument.strings.empty())
       throw UserError(lexer.location(token.offset), "an array of both numbers and strings");

@@ -105,6 +105,8 @@ private:
                 RibArguments &arguments);
   void addPolygons(PolygonShape shape, ParameterList variables, RibArguments &arguments);
   void addPatches(PatchShape shape, RibArguments &arguments);
+  /// `hasTexts`: tags have texts besides numbers.
+  void addSubdivision(RibArguments &arguments, bool hasTexts);
   void addQuadric(QuadricShape shape, RibArguments &arguments);
   static bool isQuiet(std::string_view group);
   /// How deep rays go that shaders trace, of an Option or Attribute; whether that is what it says.

@@ -15,25 +15,28 @@ using namespace anysl::render;
 
 namespace {
 
-/// Tags of a mesh, with their arguments in the order in which all are given.
+/// Tags of a mesh, with their arguments in the order in which all are given. `hasTexts`: integers,
+/// numbers and texts; else there are no texts.
 class TagReader {
 public:
-  TagReader(SubdivisionShape &shape, size_t vertices, RibArguments &arguments)
-      : shape(shape), vertices(vertices), where(arguments.where()) {
+  TagReader(SubdivisionShape &shape, size_t vertices, bool hasTexts, RibArguments &arguments)
+      : shape(shape), vertices(vertices), kinds(hasTexts ? 3 : 2), where(arguments.where()) {
     names = arguments.strings("the tags");
     counts = arguments.indices("the numbers of the tags' arguments");
     integers = arguments.array("the tags' integers");
     floats = arguments.array("the tags' numbers");
+    if (hasTexts)
+      arguments.strings("the tags' texts"); // which no tag that is known has
   }
 
   void read(Warnings &warnings) {
-    if (counts.size() != 2 * names.size())
+    if (counts.size() != kinds * names.size())
       throw ShapeError(where, "the " + std::to_string(names.size()) + " tags need " +
-                                  std::to_string(2 * names.size()) +
+                                  std::to_string(kinds * names.size()) +
                                   " numbers of arguments, found " + std::to_string(counts.size()));
     for (size_t i = 0; i < names.size(); ++i) {
-      std::vector<double> whole = take(integers, counts[2 * i], names[i]);
-      std::vector<double> values = take(floats, counts[2 * i + 1], names[i]);
+      std::vector<double> whole = take(integers, counts[kinds * i], names[i]);
+      std::vector<double> values = take(floats, counts[kinds * i + 1], names[i]);
       readTag(names[i], whole, values, warnings);
     }
   }
@@ -63,7 +66,7 @@ private:
                const std::vector<double> &values, Warnings &warnings);
 
   SubdivisionShape &shape;
-  size_t vertices;
+  size_t vertices, kinds; ///< of arguments
   Location where;
   std::vector<std::string> names;
   std::vector<uint32_t> counts;
@@ -105,7 +108,13 @@ void TagReader::readTag(const std::string &tag, const std::vector<double> &whole
 
 } // namespace
 
-void RibState::subdivisionMesh(RibArguments &arguments) {
+void RibState::subdivisionMesh(RibArguments &arguments) { addSubdivision(arguments, false); }
+
+void RibState::hierarchicalSubdivisionMesh(RibArguments &arguments) {
+  addSubdivision(arguments, true);
+}
+
+void RibState::addSubdivision(RibArguments &arguments, bool hasTexts) {
   SubdivisionShape shape;
   std::string scheme = arguments.string("a scheme");
   shape.vertexCounts = arguments.indices("the numbers of vertices");
@@ -115,7 +124,7 @@ void RibState::subdivisionMesh(RibArguments &arguments) {
   for (uint32_t vertex : shape.vertices)
     points = std::max(points, vertex + 1);
   if (arguments.nextIsArray())
-    tags.emplace(shape, points, arguments);
+    tags.emplace(shape, points, hasTexts, arguments);
   ParameterList variables = arguments.parameters();
   if (scheme != "catmull-clark")
     throw ShapeError(arguments.where(), "\"" + scheme + "\" is not the scheme catmull-clark");

@@ -37,15 +37,16 @@ using Catch::StartsWith;
 } // namespace
 
 TEST_CASE("numbers, strings, comments and arrays are read as RIB writes them", "[rib]") {
-  auto scene = read("# a comment\n##RenderMan RIB\nFormat 32 +16 .5e1 WorldBegin # more\n"
-                    "Surface \"a\\\"b\\n\\101\" \"x\"[-1 .25 1e2]\"y\" [\"p\" \"q\"] WorldEnd")
-                   .at(0);
+  auto scene =
+      read("# a comment\n##RenderMan RIB\nFormat 32 +16 .5e1 WorldBegin # more\n"
+           "Surface \"a\\\"b\\n\\101\" \"x\"[-1 .25 1e2 1e-400]\"y\" [\"p\" \"q\"] WorldEnd")
+          .at(0);
   CHECK(scene.camera.width == 32);
   CHECK(scene.camera.height == 16);
   CHECK(scene.camera.pixelAspect == 5);
   const ShaderUse &surface = scene.shaders.at(0);
   CHECK(surface.name == "a\"b\nA");
-  CHECK(surface.parameters.at(0).numbers == std::vector<double>{-1, 0.25, 100});
+  CHECK(surface.parameters.at(0).numbers == std::vector<double>{-1, 0.25, 100, 0});
   CHECK(surface.parameters.at(1).strings == std::vector<std::string>{"p", "q"});
 }
 
@@ -215,6 +216,16 @@ TEST_CASE("polygons are checked, and wrong ones left out", "[rib]") {
         "12: warning: the numbers of loops add up to 2, but 1 numbers of vertices are given");
   CHECK_THAT(errorOf("WorldBegin PointsPolygons [3] [0 1 -2] \"P\" [0 0 0] WorldEnd"),
              StartsWith("scene.rib:1:31: error: PointsPolygons: the vertices: -2"));
+}
+
+TEST_CASE("a channel may be a standard one, also with a blank before its name", "[rib]") {
+  CHECK(read("DisplayChannel \"rgb\" DisplayChannel \" a\" WorldBegin WorldEnd").size() == 1);
+  auto scene =
+      read("DisplayChannel \" varying color glow\" WorldBegin Surface \"s\" \"glow\" [1 2 3] "
+           "WorldEnd")
+          .at(0);
+  CHECK(scene.shaders.at(0).parameters.at(0).declaration->type == ValueType::Color);
+  CHECK_THROWS_AS(read("DisplayChannel \" varying colour glow\" WorldBegin WorldEnd"), UserError);
 }
 
 TEST_CASE("declarations that are none", "[rib]") {

@@ -51,6 +51,13 @@ TEST_CASE("a subdivided cube and tetrahedron go through the limits of their vert
   CHECK(distanceToPoint(*cube, {0, 0, (16 + 12 + 20. / 9) / 36}) < 1e-5);
   CHECK(openEdges(*cube) == 0);
 
+  // The same in its hierarchical form, whose tags have texts as well.
+  TestScene scene("Projection \"perspective\" \"fov\" [60] WorldBegin Translate 0 0 5 "
+                  "HierarchicalSubdivisionMesh \"catmull-clark\" " +
+                  cubeFaces + "[\"interpolateboundary\" \"crease\"] [1 0 0 2 1 0] [2 0 1] [0] []" +
+                  cubePoints + " WorldEnd");
+  CHECK(facets(scene)->points.size() == cube->points.size());
+
   auto tetrahedron = facets(subdivided("[3 3 3 3] [0 1 2  0 2 3  0 3 1  1 3 2] "
                                        "\"P\" [1 1 1  1 -1 -1  -1 1 -1  -1 -1 1]"));
   for (Vec3d v : {Vec3d(1, 1, 1), Vec3d(1, -1, -1), Vec3d(-1, 1, -1), Vec3d(-1, -1, 1)})
