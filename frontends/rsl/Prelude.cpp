@@ -13,9 +13,10 @@ using namespace llvm;
 
 namespace anysl::rsl {
 
-// What BMRT's manual says of `rayhittest` and `fulltrace`, but that the ray that met nothing is
-// always the first. rayserver.h, which came with it, makes macros of `trace`, `visibility`,
-// `rayhittest` and `fulltrace` that hand everything to `rayserver` in world space.
+// `rayhittest` and `fulltrace` as shaders that were written for BMRT use them (a distance beyond
+// 1e10 is a miss), but that the ray that met nothing is always the first. rayserver.h, which came
+// with it, makes macros of `trace`, `visibility`, `rayhittest` and `fulltrace` that hand everything
+// to `rayserver` in world space.
 static constexpr StringLiteral prelude = R"(
 float rayhittest(point P; vector R; output point hitP; output normal hitN) {
   float distance;
