@@ -8,6 +8,7 @@
 #include "tools/anysl-render/AreaLights.h"
 
 #include "lib/Rib/PrimitiveVariables.h"
+#include "tools/anysl-render/Curves.h"
 #include "tools/anysl-render/PointSet.h"
 #include "tools/anysl-render/Tessellate.h"
 
@@ -100,9 +101,38 @@ public:
     }
   }
 
+  /// Tubes have points all round and all along; ribbons are facets.
+  void add(const CurvesShape &curves) {
+    if (findParameter(shape.variables, "N"))
+      return addFacets();
+    const CurveSegments tubes(curves, shape.variables, placement);
+    std::vector<double> ends; ///< lengths up to each segment's end
+    for (const CurveSegments::Segment &segment : tubes.all())
+      ends.push_back((ends.empty() ? 0 : ends.back()) + lengthOf(segment));
+    for (size_t i = 0; !ends.empty() && i < most; ++i) {
+      const double at = ends.back() * (double(i) + 0.5) / double(most);
+      const auto end = std::upper_bound(ends.begin(), ends.end() - 1, at);
+      const auto &segment = tubes.all()[size_t(end - ends.begin())];
+      const double begin = end == ends.begin() ? 0 : end[-1];
+      Vec3d tangent;
+      double radius;
+      Vec3d middle = CurveSegments::place(segment, (at - begin) / (*end - begin), tangent, radius);
+      Vec3d across = normalized(cross(tangent, leastAlong(tangent)));
+      Vec3d up = normalized(cross(tangent, across));
+      const double turn = 2 * std::numbers::pi * std::numbers::phi * double(i);
+      Vec3d out = across * std::cos(turn) + up * std::sin(turn);
+      put(middle + out * radius, out, 2 * std::numbers::pi * radius * ends.back() / double(most));
+    }
+  }
+
   /// Of other shapes facets: their middles, or places spread evenly over many.
   template <class Other>
   void add(const Other &) {
+    addFacets();
+  }
+
+private:
+  void addFacets() {
     const std::unique_ptr<Mesh> mesh = tessellate(shape, placement, Dicing(camera));
     std::vector<Facet> facets;
     double total = 0;
@@ -129,7 +159,6 @@ public:
     }
   }
 
-private:
   struct Facet {
     Vec3d a, b, c;
     /// As long as it is large.
@@ -146,6 +175,23 @@ private:
     Vec3d ab = (a + b) * 0.5, bc = (b + c) * 0.5, ca = (c + a) * 0.5;
     for (const Facet &part : {Facet{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
       putMiddle(part, length(part.normal()));
+  }
+
+  static double lengthOf(const CurveSegments::Segment &segment) {
+    double result = 0, radius;
+    Vec3d tangent, last = segment.points[0];
+    for (int i = 1; i <= 8; ++i) {
+      Vec3d next = CurveSegments::place(segment, i / 8., tangent, radius);
+      result += length(next - last);
+      last = next;
+    }
+    return result;
+  }
+
+  /// The axis that a direction runs along least.
+  static Vec3d leastAlong(Vec3d v) {
+    double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+    return x <= y && x <= z ? Vec3d(1, 0, 0) : y <= z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
   }
 
   /// One of some directions that are spread evenly, on a spiral whose turns are golden sections.

@@ -19,8 +19,8 @@ struct AreaSample {
 };
 
 /// Points spread over a shape as the camera would see it: sixteen on a quadric; on polygons and on
-/// smooth surfaces, cut into triangles, four on each of a few, or 32 in all; on spheres and discs
-/// that are points 32 in all.
+/// smooth surfaces, cut into triangles, four on each of a few, or 32 in all; on tubes,
+/// and on spheres and discs that are points, 32 in all.
 std::vector<AreaSample> areaSamples(const Shape &shape, const Appearance &appearance,
                                     const Camera &camera);
 
